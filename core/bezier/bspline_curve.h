@@ -84,8 +84,9 @@ class BSplineCurve {
   BSplineCurve reparametrised(double first, double last) const;
   BSplineCurve withPoleError(double poleError) const;
 
+  struct State;  ///< private to this floor
+
  private:
-  struct State;
   explicit BSplineCurve(std::shared_ptr<const State> state);
   std::shared_ptr<const State> state_;
 };
