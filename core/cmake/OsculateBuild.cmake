@@ -1,5 +1,12 @@
 # How every part of Osculate is compiled, and the one function that declares a floor of core/.
 include(GNUInstallDirs)
+include(OsculateHeaderCheck)
+
+find_program(CCACHE ccache)
+mark_as_advanced(CCACHE)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -42,7 +49,8 @@ function(osculate_floor name)
     $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(osculate_${name} PUBLIC ${FLOOR_DEPENDS} PRIVATE $<BUILD_INTERFACE:osculate_flags>)
   install(FILES ${FLOOR_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/osculate/${name}
-    COMPONENT development)
+    COMPONENT development EXCLUDE_FROM_ALL)
   install(TARGETS osculate_${name} EXPORT osculate
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development EXCLUDE_FROM_ALL)
+  osculate_check_headers(${name} "${FLOOR_HEADERS}")
 endfunction()

@@ -1,0 +1,46 @@
+# Thin front for the common tasks. Each installs the Debian packages it needs (.ci/setup) and says so.
+.PHONY: help build test demo install bench format lint asan compat
+.DEFAULT_GOAL := help
+
+help:           ## this list
+	@sed -n 's/^\([a-z]*:\) *## /  make \1\t/p' $(MAKEFILE_LIST)
+
+build:          ## the core, the Python module in workbench/osculate, the tests
+	.ci/setup build test freecad
+	cmake --preset release
+	cmake --build --preset release
+
+test: build asan        ## everything: core, Python, FreeCAD, GUI, sanitizers, consumer, demo
+	.ci/setup gui
+	ctest --preset release
+
+demo: build     ## analyses real models; report, JSON, CSV, FCStd and picture in demo-output/
+	.ci/setup gui
+	resources/demo/run demo-output
+
+install: build  ## the add-on into FreeCAD's Mod folder, or into PREFIX=<folder of the add-on>
+	.ci/install-addon build/release $(PREFIX)
+
+bench:          ## timings beside those of OpenCASCADE
+	.ci/setup build bench
+	cmake --preset bench
+	cmake --build --preset bench
+	.ci/bench build/bench
+
+format:         ## rewrites the C++ sources in the project's format
+	.ci/setup format
+	git ls-files '*.h' '*.cpp' | xargs clang-format -i
+
+lint: build     ## format, clang-tidy, flake8, every public header on its own
+	.ci/setup lint
+	.ci/lint build/release
+
+asan:           ## the core's tests under AddressSanitizer and UndefinedBehaviorSanitizer
+	.ci/setup build test
+	cmake --preset asan
+	cmake --build --preset asan
+	ctest --preset asan
+
+compat:         ## build and test inside Debian 13 and Debian sid (needs root for chroot)
+	.ci/setup compat
+	.ci/compat trixie sid

@@ -1,0 +1,15 @@
+# `header_check`: compiles every public header on its own, with only what its floor depends on.
+add_custom_target(header_check)
+
+# osculate_check_headers(<floor> <headers>)
+function(osculate_check_headers floor headers)
+  set(sources)
+  foreach(header IN LISTS headers)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/header_check/${header}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"osculate/${floor}/${header}\"\n")
+    list(APPEND sources ${source})
+  endforeach()
+  add_library(osculate_${floor}_headers OBJECT EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(osculate_${floor}_headers PRIVATE osculate::${floor} osculate_flags)
+  add_dependencies(header_check osculate_${floor}_headers)
+endfunction()
