@@ -21,15 +21,6 @@ struct AnalysisOptions {
   double scaleMm = 0.0;          ///< > 0 overrides L
 };
 
-/// Order of contact and by how much each order misses: the decision without the describing numbers.
-struct JoinDecision {
-  int order = -1;
-  int parametricOrder = -1;
-  std::array<Verdict, kMaxOrder + 1> verdicts{};
-  PerOrder residuals{};
-  PerOrder uncertainties{};
-};
-
 /// The full report. The first side arrives at the join, the second leaves it. Throws nothing,
 /// allocates nothing (except at singular ends).
 JoinReport analyzeJoin(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options = {});

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "osculate/bezier/bezier_curve.h"
 #include "osculate/continuity/definitions.h"
@@ -39,18 +40,24 @@ struct Deviation {
   std::optional<double> curvatureRate2PerMm3;
 };
 
-struct JoinReport {
-  int requestedOrder = 4;
-  int order = -1;                ///< highest m with orders 0..m all passing; -1: a gap
-  int parametricOrder = -1;      ///< the same for C^m in the curves' own parameters
+/// Order of contact and by how much each order misses.
+struct JoinDecision {
+  int order = -1;            ///< highest m with orders 0..m all passing; -1: a gap
+  int parametricOrder = -1;  ///< the same for C^m in the curves' own parameters
   std::array<Verdict, kMaxOrder + 1> verdicts{};
-  PerOrder residuals{};          ///< mm, degrees, then dimensionless; infinite where a side has no such derivative
+  PerOrder residuals{};      ///< mm, degrees, then dimensionless; infinite where a side has no such derivative
+  PerOrder uncertainties{};  ///< bounds of the error of the residuals that doubles carry
+  PerOrder parametricResiduals{};  ///< mm, then dimensionless (order 1 against the angle in radians)
+};
+
+struct JoinReport : JoinDecision {
+  int requestedOrder = 4;
   PerOrder tolerances{};
-  PerOrder uncertainties{};      ///< bounds of the error of the residuals that doubles carry
-  PerOrder parametricResiduals{};
+  std::string_view preset;       ///< name of the tolerances
+  CurvatureMetric metric = CurvatureMetric::kVector;  ///< of the preset
+  double scaleMm = 0.0;          ///< L, the length the residuals of order >= 2 refer to
   std::array<double, kMaxOrder> beta{};  ///< beta[k-1] = beta_k, for k <= betaCount
   int betaCount = 0;
-  double scaleMm = 0.0;          ///< L, the length the residuals of order >= 2 refer to
   Deviation deviation;
   std::array<SideReport, 2> sides;  ///< arriving, leaving
   FrenetFrame frame;                ///< at the join, of the first curve; always complete
@@ -58,7 +65,6 @@ struct JoinReport {
   /// Derivatives 0..4 of each segment by its own parameter [0, 1] in the direction of travel, in
   /// the frame (tangent, normal, binormal); row 0 is the end's position from the first curve's end.
   std::array<Eigen::Matrix<double, 5, 3>, 2> derivativesInFrame;
-  CurvatureMetric metric = CurvatureMetric::kVector;  ///< of the preset used
   DefinitionResults definitions;
   WarningSet warnings;
 };

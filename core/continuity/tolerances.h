@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace osculate {
@@ -28,7 +27,7 @@ struct Tolerances {
   double third = 0.02;          ///< order 3, dimensionless
   double fourth = 0.05;         ///< order 4 and above, dimensionless
   CurvatureMetric metric = CurvatureMetric::kVector;  ///< how this preset's system measures G2
-  std::string name = "osculate";                      ///< of the preset, or "custom"
+  std::string_view name = "osculate";                 ///< of the preset, or "custom"; static text
 
   /// The tolerance of one order, 0 .. kMaxOrder, in the unit of its residual.
   double ofOrder(int order) const;

@@ -15,7 +15,6 @@ enum class Warning : unsigned char {
   kNearFlat,             ///< curvature too small for normal, torsion and rates
   kFarFromOrigin,        ///< coordinates so large that digits are lost
   kTouchesAtBothEnds,    ///< the curves meet at both ends; the end-start join is reported
-  kAlmostClosed,         ///< a closing join with a gap
   kApproximated,         ///< a side was converted with a stated error
   kCount
 };

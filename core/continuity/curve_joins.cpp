@@ -1,0 +1,118 @@
+#include "osculate/continuity/curve_joins.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace osculate {
+
+namespace {
+
+double reachFrom(const BSplineCurve& curve, CurveEnd end) {
+  const Vector3& join = curve.endPoint(end);
+  return std::sqrt(std::max((curve.endPoint(opposite(end)) - join).squaredNorm(),
+                            (curve.middlePoint() - join).squaredNorm()));
+}
+
+/// At an inner knot both sides belong to one curve: its ends and its middle count.
+double reachFrom(const BSplineCurve& curve, const Vector3& join) {
+  return std::sqrt(std::max({(curve.endPoint(CurveEnd::kStart) - join).squaredNorm(),
+                             (curve.endPoint(CurveEnd::kEnd) - join).squaredNorm(),
+                             (curve.middlePoint() - join).squaredNorm()}));
+}
+
+JoinSide sideOf(const BezierSegment& segment, CurveEnd end, double reach) {
+  return {segment.curve.view(), end, reach, segment.length(), segment.poleError};
+}
+
+void markApproximated(const BSplineCurve& curve, JoinReport& report) {
+  if (curve.poleError() > 0.0) report.warnings.add(Warning::kApproximated);
+}
+
+CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds ends,
+                 const AnalysisOptions& options) {
+  BezierSegment arriving = first.endSegment(ends.first);
+  BezierSegment leaving = second.endSegment(ends.second);
+  JoinReport report = analyzeJoin(sideOf(arriving, ends.first, reachFrom(first, ends.first)),
+                                  sideOf(leaving, ends.second, reachFrom(second, ends.second)), options);
+  markApproximated(first, report);
+  markApproximated(second, report);
+  return {report, arriving, leaving, std::nullopt};
+}
+
+}  // namespace
+
+NearestEnds nearestEnds(const BSplineCurve& first, const BSplineCurve& second, double gapTolerance) {
+  using enum CurveEnd;
+  const auto distance = [&](JoinEnds ends) {
+    return (first.endPoint(ends.first) - second.endPoint(ends.second)).norm();
+  };
+  constexpr std::array<JoinEnds, 4> kPairs{{{kEnd, kStart}, {kStart, kEnd}, {kEnd, kEnd}, {kStart, kStart}}};
+  std::array<double, 4> distances;
+  std::transform(kPairs.begin(), kPairs.end(), distances.begin(), distance);
+  const double least = *std::min_element(distances.begin(), distances.end());
+  const auto chosen = std::find_if(distances.begin(), distances.end(),
+                                   [&](double d) { return d <= least + gapTolerance; });
+  const bool across = std::max(distances[0], distances[1]) <= gapTolerance;
+  const bool along = std::max(distances[2], distances[3]) <= gapTolerance;
+  return {kPairs[static_cast<std::size_t>(chosen - distances.begin())], across || along};
+}
+
+void checkOptions(const AnalysisOptions& options) {
+  if (options.order < 0 || options.order > kMaxOrder) {
+    throw std::invalid_argument("order: must be from 0 to " + std::to_string(kMaxOrder) + ", got " +
+                                std::to_string(options.order));
+  }
+  if (!(std::isfinite(options.scaleMm) && options.scaleMm >= 0.0)) {
+    throw std::invalid_argument("scale_mm: must be finite and > 0, got " + std::to_string(options.scaleMm));
+  }
+  options.tolerances.check();
+}
+
+CurveJoin analyzeCurves(const BSplineCurve& first, const BSplineCurve& second, const AnalysisOptions& options,
+                        std::optional<JoinEnds> ends) {
+  checkOptions(options);
+  if (ends) return joinAt(first, second, *ends, options);
+  const NearestEnds nearest = nearestEnds(first, second, options.tolerances.gapMm);
+  CurveJoin join = joinAt(first, second, nearest.ends, options);
+  if (nearest.touchesAtBothEnds) join.report.warnings.add(Warning::kTouchesAtBothEnds);
+  return join;
+}
+
+JoinReport reportCurves(const BSplineCurve& first, const BSplineCurve& second, const AnalysisOptions& options,
+                        JoinEnds ends) {
+  const BezierSegment arriving = first.endSegment(ends.first);
+  const BezierSegment leaving = second.endSegment(ends.second);
+  return analyzeJoin(sideOf(arriving, ends.first, reachFrom(first, ends.first)),
+                     sideOf(leaving, ends.second, reachFrom(second, ends.second)), options);
+}
+
+CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& options) {
+  checkOptions(options);
+  return joinAt(curve, curve, {CurveEnd::kEnd, CurveEnd::kStart}, options);
+}
+
+std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const AnalysisOptions& options,
+                                         const Progress& progress) {
+  checkOptions(options);
+  std::vector<CurveJoin> joins;
+  const auto knots = curve.innerKnots();
+  BezierSegment before = curve.segment(0);
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(knots.size()))) return joins;
+    const BezierSegment after = curve.segment(knots[i].spanAfter);
+    const double reach = reachFrom(curve, after.curve.pole(0));
+    CurveJoin join{analyzeJoin(sideOf(before, CurveEnd::kEnd, reach), sideOf(after, CurveEnd::kStart, reach), options),
+                   before, after, knots[i].parameter};
+    markApproximated(curve, join.report);
+    joins.push_back(std::move(join));
+    before = after;
+  }
+  if (curve.isClosed(options.tolerances.gapMm)) joins.push_back(analyzeClosing(curve, options));
+  if (progress) progress(1.0);
+  return joins;
+}
+
+}  // namespace osculate

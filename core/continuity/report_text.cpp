@@ -1,0 +1,197 @@
+#include "osculate/continuity/report_text.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <string_view>
+#include <vector>
+
+namespace osculate {
+
+namespace {
+
+/// printf into a string; C++20's std::format is not in the compilers of Debian 12.
+__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
+  std::va_list arguments;
+  va_start(arguments, pattern);
+  char buffer[256];
+  std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
+  va_end(arguments);
+  return buffer;
+}
+
+std::string_view unitOf(int order) { return order == 0 ? " mm" : order == 1 ? " deg" : ""; }
+
+std::string amount(double value, int order) {
+  if (!std::isfinite(value)) return "no such derivative";
+  return format("%.3g", value) + std::string(unitOf(order));
+}
+
+std::string orderName(int order) { return order < 0 ? "gap" : format("G%d", order); }
+
+std::string_view sign(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPass: return "pass";
+    case Verdict::kFail: return "FAIL";
+    case Verdict::kUndecided: return "undecided";
+  }
+  return "";
+}
+
+std::string optional(const std::optional<double>& value) { return value ? format("%13.6g", *value) : format("%13s", "-"); }
+
+std::string orderRows(const JoinReport& report) {
+  std::string text = "  order   residual      tolerance     uncertainty   verdict    C^m residual\n";
+  for (int k = 0; k <= report.requestedOrder; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const std::string unit(unitOf(k));
+    text += format("  G%d      %-14s%-14s%-14s%-11s%.3g\n", k, amount(report.residuals[i], k).c_str(),
+                   (format("%.3g", report.tolerances[i]) + unit).c_str(),
+                   (format("%.1e", report.uncertainties[i]) + unit).c_str(), sign(report.verdicts[i]).data(),
+                   report.parametricResiduals[i]);
+  }
+  return text;
+}
+
+std::string sideRow(const char* label, const std::optional<double>& first, const std::optional<double>& second,
+                    const char* unit) {
+  return format("  %-20s", label) + optional(first) + "   " + optional(second) + "  " + unit + "\n";
+}
+
+std::string sideRows(const JoinReport& report) {
+  const auto& [first, second] = report.sides;
+  const auto endName = [](const SideReport& side) { return side.end == CurveEnd::kStart ? "its start" : "its end"; };
+  const auto radius = [](const SideReport& side) -> std::optional<double> {
+    if (!side.invariants.curvature || !side.frame.normal) return std::nullopt;
+    return 1.0 / *side.invariants.curvature;
+  };
+  std::string text = format("  %-20s%13s   %13s\n", "at the join", endName(first), endName(second));
+  text += sideRow("curvature", first.invariants.curvature, second.invariants.curvature, "1/mm");
+  text += sideRow("radius", radius(first), radius(second), "mm");
+  text += sideRow("torsion", first.invariants.torsion, second.invariants.torsion, "1/mm");
+  text += sideRow("d curvature/ds", first.invariants.curvatureRate, second.invariants.curvatureRate, "1/mm^2");
+  text += sideRow("d2 curvature/ds2", first.invariants.curvatureRate2, second.invariants.curvatureRate2, "1/mm^3");
+  text += sideRow("d torsion/ds", first.invariants.torsionRate, second.invariants.torsionRate, "1/mm^2");
+  text += format("  %-20s%13d   %13d\n", "legs on the tangent", first.linearity, second.linearity);
+  return text;
+}
+
+std::string betaRow(const JoinReport& report) {
+  if (report.betaCount == 0) return "";
+  std::string text = "  beta               ";
+  for (int k = 0; k < report.betaCount; ++k) text += format(" %.6g", report.beta[static_cast<std::size_t>(k)]);
+  return text + "\n";
+}
+
+std::string definitionRows(const JoinReport& report) {
+  std::string text;
+  for (int i = 0; i < kDefinitionCount; ++i) {
+    const DefinitionResult& result = report.definitions[static_cast<std::size_t>(i)];
+    const DefinitionInfo& about = info(static_cast<Definition>(i));
+    if (!result.verdict) continue;
+    text += format("  %-19s%-11s%-11.3g%s\n", about.name.data(), sign(*result.verdict).data(), result.value,
+                   about.who.data());
+  }
+  return text;
+}
+
+bool has(const JoinReport& report, Definition definition, Verdict verdict) {
+  return report.definitions[static_cast<std::size_t>(definition)].verdict == verdict;
+}
+
+bool passes(const JoinReport& report, Definition definition) { return has(report, definition, Verdict::kPass); }
+bool fails(const JoinReport& report, Definition definition) { return has(report, definition, Verdict::kFail); }
+
+/// Names of the systems whose definition has this verdict.
+std::string systems(const JoinReport& report, std::initializer_list<Definition> definitions, Verdict verdict) {
+  std::string list;
+  for (const Definition definition : definitions) {
+    if (!has(report, definition, verdict)) continue;
+    list += list.empty() ? "" : "; ";
+    list += info(definition).who;
+  }
+  return list;
+}
+
+std::string curvatureDisagreement(const JoinReport& report) {
+  using enum Definition;
+  const std::initializer_list<Definition> others{kG2Maximum, kG2OpenNurbs, kG2Sum, kG2Mean, kG2GeometricMean};
+  const auto& plane = report.deviation.osculatingPlaneAngleDegrees;
+  if (fails(report, kG2Vector)) {
+    const std::string who = systems(report, others, Verdict::kPass);
+    if (who.empty()) return "";
+    const auto& n1 = report.sides[0].frame.normal;
+    const auto& n2 = report.sides[1].frame.normal;
+    if (n1 && n2 && n1->dot(*n2) < 0.0) return "G2 by number only (" + who + "): the curvatures are equal but bend to opposite sides.";
+    if (plane && *plane > report.tolerances[1]) {
+      return "G2 by number only (" + who + "): the curvatures are equal but their planes differ by " +
+             format("%.3g", *plane) + " deg.";
+    }
+    return "G2 by a milder metric (" + who + "): their percentages count the same difference less.";
+  }
+  const std::string who = systems(report, others, Verdict::kFail);
+  if (!passes(report, kG2Vector) || who.empty()) return "";
+  return "Not G2 by a metric that is stricter or meaningless near zero curvature (" + who + ").";
+}
+
+std::string thirdOrderDisagreement(const JoinReport& report) {
+  using enum Definition;
+  const std::initializer_list<Definition> others{kG3FrenetFrame, kG3ScalarRate, kG3GraphAngle, kG3Torsion};
+  if (fails(report, kG3Vector)) {
+    const std::string who = systems(report, others, Verdict::kPass);
+    if (who.empty()) return "";
+    std::string cause;
+    if (fails(report, kG2Vector)) {
+      cause = "the curvature vectors already differ";
+    } else if (passes(report, kG3ScalarRate)) {
+      cause = "the curvature's rate is equal, but the torsion is not";
+    } else if (passes(report, kG3Torsion)) {
+      cause = "the torsion is equal, but the curvature's rate is not";
+    } else {
+      cause = "a slope of the curvature graph below 0.1 deg hides the difference";
+    }
+    return "G3 only by part of the condition (" + who + "): " + cause + ".";
+  }
+  if (passes(report, kG3Vector) && fails(report, kC3)) {
+    return "Not C3 (Rhino's help): the shapes agree, the curves' parametrisations do not.";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string headline(const JoinReport& report) {
+  if (report.order == report.requestedOrder) return orderName(report.order);
+  const int next = report.order + 1;
+  const auto i = static_cast<std::size_t>(next);
+  const std::string name = orderName(report.order);
+  if (report.verdicts[i] == Verdict::kUndecided) {
+    return name + ", " + orderName(next) + " undecided: " +
+           amount(report.residuals[i], next) + " +- " + amount(report.uncertainties[i], next);
+  }
+  if (next == 0) return "gap of " + amount(report.residuals[0], 0) + " (tolerance " + amount(report.tolerances[0], 0) + ")";
+  if (!std::isfinite(report.residuals[i])) return name + ", " + orderName(next) + " does not exist at a singular end";
+  return name + ", misses " + orderName(next) + " by " + amount(report.residuals[i], next) + " (tolerance " +
+         amount(report.tolerances[i], next) + ")";
+}
+
+std::string disagreement(const JoinReport& report) {
+  const std::string second = curvatureDisagreement(report);
+  const std::string third = thirdOrderDisagreement(report);
+  return second + (second.empty() || third.empty() ? "" : " ") + third;
+}
+
+std::string reportTable(const JoinReport& report) {
+  std::string text = headline(report) + "\n";
+  text += format("  parametric: C%d   L = %.6g mm   tolerances: %s   frame: %s\n", report.parametricOrder,
+                 report.scaleMm, report.preset.data(), name(report.frameKind).data());
+  text += orderRows(report) + sideRows(report) + betaRow(report) + definitionRows(report);
+  const std::string why = disagreement(report);
+  if (!why.empty()) text += "  " + why + "\n";
+  for (const Warning warning : report.warnings.list()) {
+    text += "  " + std::string(code(warning)) + ": " + std::string(sentence(warning)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace osculate

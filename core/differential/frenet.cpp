@@ -1,0 +1,91 @@
+#include "osculate/differential/frenet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace osculate {
+
+namespace {
+
+int fromEnd(BezierView segment, CurveEnd end, int i) {
+  return end == CurveEnd::kStart ? i : segment.degree - i;
+}
+
+/// The part of the leg to pole i that is off the line through the end along the tangent.
+Vector3 offTangent(BezierView segment, CurveEnd end, int i, const Vector3& tangent) {
+  const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
+  return leg - leg.dot(tangent) * tangent;
+}
+
+/// How far rounding can move poles off a line they are on.
+double lineTolerance(BezierView segment, double poleError) {
+  double largest = 0.0;
+  for (int i = 0; i <= segment.degree; ++i) largest = std::max(largest, segment.pole(i).norm());
+  return 2.0 * std::max(poleError, 8.0 * kUnitRoundoff * largest);
+}
+
+/// Direction of the first leg that is not zero, outward from the end; zero if there is none.
+Vector3 firstLeg(BezierView segment, CurveEnd end, double tolerance) {
+  for (int i = 1; i <= segment.degree; ++i) {
+    const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
+    if (leg.norm() > tolerance) return leg.normalized();
+  }
+  return Vector3::Zero();
+}
+
+/// A normal of a straight line: in the xy plane (bachelor thesis, ch. 5), or x for a line along z.
+Vector3 lineNormal(const Vector3& tangent) {
+  const Vector3 level(-tangent.y(), tangent.x(), 0.0);
+  return level.norm() > 1e-9 ? Vector3(level.normalized()) : Vector3(Vector3::UnitX());
+}
+
+}  // namespace
+
+std::string_view name(FrameKind kind) {
+  switch (kind) {
+    case FrameKind::kFrenet: return "frenet";
+    case FrameKind::kFictitiousNormal: return "fictitious-normal";
+    case FrameKind::kLine: return "line";
+    case FrameKind::kFictitiousTangent: return "fictitious-tangent";
+  }
+  return "";
+}
+
+int linearity(BezierView segment, CurveEnd end, double poleError) {
+  const double tolerance = lineTolerance(segment, poleError);
+  const Vector3 tangent = firstLeg(segment, end, tolerance);
+  // the direction itself is only known to tolerance over the length of the leg that gives it
+  double reach = 0.0;
+  for (int i = 1; i <= segment.degree; ++i) {
+    const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
+    if (reach == 0.0) reach = leg.norm();
+    const double growth = reach > 0.0 ? 1.0 + leg.norm() / reach : 1.0;
+    if (offTangent(segment, end, i, tangent).norm() > tolerance * growth) return i - 1;
+  }
+  return segment.degree;
+}
+
+EndFrame fictitiousFrame(BezierView segment, CurveEnd end, const Vector3& tangent, bool singular,
+                         double poleError) {
+  const double tolerance = lineTolerance(segment, poleError);
+  Vector3 direction = tangent;
+  if (direction.isZero(0.0)) {
+    direction = firstLeg(segment, end, tolerance);
+    if (end == CurveEnd::kEnd) direction = -direction;
+    if (direction.isZero(0.0)) direction = Vector3::UnitX();
+  }
+  EndFrame result;
+  result.frame.tangent = direction;
+  const int legs = linearity(segment, end, poleError);
+  const bool straight = legs == segment.degree;
+  const Vector3 normal =
+      straight ? lineNormal(direction) : Vector3(offTangent(segment, end, legs + 1, direction).normalized());
+  result.frame.normal = normal;
+  result.frame.binormal = direction.cross(normal);
+  result.kind = singular   ? FrameKind::kFictitiousTangent
+                : straight ? FrameKind::kLine
+                           : FrameKind::kFictitiousNormal;
+  return result;
+}
+
+}  // namespace osculate
