@@ -1,0 +1,129 @@
+#!/usr/bin/env python3
+"""Writes the icons of Osculate as SVG beside this file: one family, drawn with strokes only.
+
+    python3 resources/icons/make_icons.py
+
+Verdict tiles carry white strokes on a colour per order; the others are mid-tone strokes that read
+on light and on dark backgrounds. The colours of the verdicts and sides are those of
+workbench/osculate/gui/colors.py.
+"""
+
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+
+FIRST, SECOND, NEUTRAL = "#e8860c", "#a24bd8", "#7c8794"
+GOOD, UNDECIDED = "#2f9e44", "#8250c4"
+ORDER_COLORS = ["#e8590c", "#b98900", "#3f8f29", "#0f8a8a"] + 5 * ["#2468d8"]
+GAP, ERROR = "#d6293e", "#6b7280"
+
+LETTER_G = "M20.8 16.2 A8.3 11.5 0 1 0 21.8 31 V26 H16.5"
+DIGITS = [
+    "M35 12.5 A6.3 11.5 0 1 0 35 35.5 A6.3 11.5 0 1 0 35 12.5 Z",
+    "M29.5 18 L36 12.5 V35.5",
+    "M29 18.5 C29 10.5 41 10.5 41 18.5 C41 24 33 29 29 35.5 H41.5",
+    "M29 12.5 H40.5 L34 21.5 C43.5 21.5 43.5 35.5 35 35.5 C32 35.5 30 34 28.8 31.5",
+    "M38 35.5 V12.5 L28.3 29 H42.5",
+    "M40.5 12.5 H31 L30 22 C36 19 41.8 22 41.8 28 C41.8 35.5 33 38 28.5 33",
+    "M38.5 12.5 C31 16 29 22 29 29 A6.3 6.3 0 1 0 41.6 29 A6.3 6.3 0 1 0 29 29",
+    "M28.8 12.5 H41.5 L33 35.5",
+    "M35 12.5 A5 5 0 1 0 35 22.5 A5 5 0 1 0 35 12.5 Z M35 22.5 A6.5 6.5 0 1 0 35 35.5"
+    " A6.5 6.5 0 1 0 35 22.5 Z",
+]
+QUESTION = "M17.5 18.5 C17.5 8.5 31 9 31 18 C31 24 24.3 24 24.3 29.5"
+ARRIVING = "M4 41 C12 41 18 35 24 24"
+LEAVING = "M24 24 C30 13 36 7 44 7"
+
+
+def stroke(path, color, width, extra=""):
+    return (f'<path d="{path}" fill="none" stroke="{color}" stroke-width="{width}"'
+            f' stroke-linecap="round" stroke-linejoin="round"{extra}/>')
+
+
+def dot(x, y, radius, fill, ring=None, width=0):
+    outline = f' stroke="{ring}" stroke-width="{width}"' if ring else ""
+    return f'<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}"{outline}/>'
+
+
+def tile(color, *marks):
+    return (f'<rect x="1" y="5" width="46" height="38" rx="8" fill="{color}"/>', *marks)
+
+
+def with_undecided_badge(marks):
+    return ('<g transform="translate(0 -4)">', *marks, "</g>",
+            dot(38, 38.5, 8.5, UNDECIDED, "#ffffff", 2),
+            stroke("M35.6 36.6 C35.6 32.8 40.6 32.8 40.6 36.2 C40.6 38.4 38.2 38.4 38.2 40.2",
+                   "#ffffff", 2.2),
+            dot(38.2, 43.2, 1.4, "#ffffff"))
+
+
+def order_tile(order):
+    return tile(ORDER_COLORS[order], stroke(LETTER_G, "#ffffff", 4.6),
+                stroke(DIGITS[order], "#ffffff", 4.6))
+
+
+def verdict_icons():
+    icons = {}
+    for order in range(len(DIGITS)):
+        icons[f"verdict-g{order}"] = order_tile(order)
+        icons[f"verdict-g{order}-undecided"] = with_undecided_badge(order_tile(order))
+    icons["verdict-gap"] = tile(GAP, stroke("M6 32 C12 32 16 30 19 26.5", "#ffffff", 4.6),
+                                stroke("M29 21.5 C32 18 36 16 42 16", "#ffffff", 4.6))
+    icons["verdict-undecided"] = tile(UNDECIDED, stroke(QUESTION, "#ffffff", 4.6),
+                                      dot(24.3, 36.6, 2.8, "#ffffff"))
+    icons["verdict-error"] = tile(ERROR, stroke("M24 12.5 V26", "#ffffff", 5.2),
+                                  dot(24, 35, 3, "#ffffff"))
+    return icons
+
+
+def curves(*marks):
+    return (stroke(ARRIVING, FIRST, 4.6), stroke(LEAVING, SECOND, 4.6), *marks)
+
+
+def node():
+    return dot(24, 24, 5, "#ffffff", "#3a4653", 2.6)
+
+
+def command_icons():
+    lens = (dot(33, 33, 8.5, "#ffffff", "#3a4653", 3.4), stroke("M39.4 39.4 L45 45", NEUTRAL, 5),
+            stroke("M29 33.4 L32 36.4 L37.2 30", GOOD, 3))
+    pin = ('<path d="M18 4 H32 L30 16 L37 24 H13 L20 16 Z" fill="#e8860c"/>',
+           stroke("M25 24 V44", NEUTRAL, 4))
+    return {
+        "osculate": curves('<circle cx="33.5" cy="29" r="10.8" fill="none" stroke="#7c8794"'
+                           ' stroke-width="2.4" stroke-dasharray="4 3.4"/>', node()),
+        "analyze-join": curves(node(), *lens),
+        "keep": pin,
+    }
+
+
+def button_icons():
+    sheet = "M17 15 H38 V44 H17 Z"
+    return {
+        "swap": (stroke("M8 17 H38 L30 9", FIRST, 4.6), stroke("M40 31 H10 L18 39", SECOND, 4.6)),
+        "nearest": (stroke("M4 24 H17 L11.5 18.5 M17 24 L11.5 29.5", FIRST, 4.2),
+                    stroke("M44 24 H31 L36.5 18.5 M31 24 L36.5 29.5", SECOND, 4.2),
+                    dot(24, 24, 3.2, NEUTRAL)),
+        "follow": ('<path d="M13 5 L13 38 L21 30.5 L26.5 43 L32 40.5 L26.5 28.5 L37.5 27.5 Z"'
+                   ' fill="#4a90d9" stroke="#ffffff" stroke-width="2" stroke-linejoin="round"/>',),
+        "copy": (stroke("M31 12 V6 H9 V35 H15", NEUTRAL, 3.6), stroke(sheet, "#4a90d9", 3.6),
+                 stroke("M23 24 H32 M23 31 H32", "#4a90d9", 3.2)),
+        "save": (stroke("M24 6 V30 L14 20 M24 30 L34 20", "#4a90d9", 4.6),
+                 stroke("M7 31 V42 H41 V31", NEUTRAL, 4.6)),
+    }
+
+
+def write(name, marks):
+    body = "\n  ".join(marks)
+    text = ('<svg xmlns="http://www.w3.org/2000/svg" width="48" height="48"'
+            f' viewBox="0 0 48 48">\n  {body}\n</svg>\n')
+    (FOLDER / f"{name}.svg").write_text(text, encoding="utf-8")
+
+
+def main():
+    for name, marks in {**verdict_icons(), **command_icons(), **button_icons()}.items():
+        write(name, marks)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,25 @@
+"""The colours of Osculate, the same in icons, panels and the 3D view."""
+
+#: The two sides of a join: arriving and leaving.
+SIDES = ("#e8860c", "#a24bd8")
+
+#: Tangent, normal, binormal.
+FRAME = ("#e5484d", "#2f9e44", "#3b82f6")
+
+#: Of the order of continuity; every order from 4 on has the last.
+ORDERS = ("#e8590c", "#b98900", "#3f8f29", "#0f8a8a", "#2468d8")
+GAP = "#d6293e"
+UNDECIDED = "#8250c4"
+ERROR = "#6b7280"
+
+#: Text of a verdict on light and on dark widgets.
+VERDICT_TEXT = {
+    "pass": ("#237a35", "#6fd486"),
+    "fail": ("#c01f34", "#ff8c98"),
+    "undecided": ("#7040b0", "#c9a6ff"),
+}
+
+
+def of_order(order):
+    """The colour of an order of continuity, -1 for a gap."""
+    return GAP if order < 0 else ORDERS[min(order, len(ORDERS) - 1)]

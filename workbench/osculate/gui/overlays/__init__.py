@@ -1,0 +1,1 @@
+"""What Osculate draws in the 3D view: small builders of Coin nodes."""

@@ -1,0 +1,92 @@
+"""Coin nodes that every overlay is made of: lines with a rim, arrow heads, what cannot be touched."""
+
+from pivy import coin
+
+_HALO = (1.0, 1.0, 1.0)
+_HALO_TRANSPARENCY = 0.45
+_HALO_WIDTH = 2.0
+
+#: Bits of SoDrawStyle.linePattern, left to right.
+SOLID, DASHED = 0xFFFF, 0xF0F0
+
+
+def separator(*children):
+    node = coin.SoSeparator()
+    for child in children:
+        node.addChild(child)
+    return node
+
+
+def rgb(name):
+    """(r, g, b) in 0..1 of "#rrggbb"."""
+    return tuple(int(name[i:i + 2], 16) / 255.0 for i in (1, 3, 5))
+
+
+def flat_color(color, transparency=0.0):
+    """Nodes for a colour that no light changes."""
+    light = coin.SoLightModel()
+    light.model = coin.SoLightModel.BASE_COLOR
+    material = coin.SoMaterial()
+    material.diffuseColor = color
+    material.transparency = transparency
+    return light, material
+
+
+def line_style(width, pattern=SOLID):
+    style = coin.SoDrawStyle()
+    style.lineWidth = width
+    style.linePattern = pattern
+    return style
+
+
+def polyline(points):
+    """Nodes of one line through (n, 3) points."""
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(points), [tuple(map(float, point)) for point in points])
+    lines = coin.SoLineSet()
+    lines.numVertices.setValue(len(points))
+    return coordinates, lines
+
+
+def colored_polyline(points, color, width, pattern=SOLID):
+    """A line of `width` pixels; a solid one has a pale rim, which lifts it off the model."""
+    line = polyline(points)
+    parts = [*flat_color(rgb(color)), line_style(width, pattern), *line]
+    if pattern == SOLID:
+        halo = separator(*flat_color(_HALO, _HALO_TRANSPARENCY), line_style(width + _HALO_WIDTH),
+                         *line)
+        parts.insert(0, halo)
+    return separator(*parts)
+
+
+def arrow_head(tip, direction, color, length, radius):
+    """A cone that ends at `tip` and points along `direction`."""
+    cone = coin.SoCone()
+    cone.height = length
+    cone.bottomRadius = radius
+    transform = coin.SoTransform()
+    axis = coin.SbVec3f(*map(float, direction))
+    axis.normalize()
+    transform.translation = coin.SbVec3f(*map(float, tip)) - axis * (length / 2.0)
+    transform.rotation = coin.SbRotation(coin.SbVec3f(0, 1, 0), axis)
+    return separator(*flat_color(rgb(color)), transform, cone)
+
+
+def at(point, *children):
+    """Children moved to a point."""
+    translation = coin.SoTranslation()
+    translation.translation = tuple(map(float, point))
+    return separator(translation, *children)
+
+
+def untouchable(*children):
+    """Children drawn over the model that can neither be picked nor change what "fit all" shows."""
+    skip = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    pick = coin.SoPickStyle()
+    pick.style = coin.SoPickStyle.UNPICKABLE
+    annotation = coin.SoAnnotation()
+    annotation.addChild(pick)
+    for child in children:
+        annotation.addChild(child)
+    skip.addChild(annotation)
+    return skip

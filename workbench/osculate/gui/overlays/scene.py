@@ -1,0 +1,42 @@
+"""Puts an overlay into the 3D views of a document and takes it out again."""
+
+import FreeCADGui
+from pivy import coin
+
+
+class SceneOverlay:
+    """One overlay, shown in every 3D view that its document has when it is shown."""
+
+    def __init__(self):
+        self._root = coin.SoSeparator()
+        self._root.setName("OsculateOverlay")
+        self._scenes = []
+        self._document = None
+
+    def show(self, document_name, node):
+        """Shows a node instead of what was shown before."""
+        if document_name != self._document:
+            self.remove()
+            self._enter(document_name)
+        self._root.removeAllChildren()
+        self._root.addChild(node)
+
+    def clear(self):
+        """Shows nothing."""
+        self._root.removeAllChildren()
+
+    def remove(self):
+        """Leaves no trace in any view."""
+        self.clear()
+        for scene in self._scenes:
+            scene.removeChild(self._root)
+        self._scenes = []
+        self._document = None
+
+    def _enter(self, document_name):
+        document = FreeCADGui.getDocument(document_name)
+        self._document = document_name
+        for view in document.mdiViewsOfType("Gui::View3DInventor"):
+            scene = view.getSceneGraph()
+            scene.addChild(self._root)
+            self._scenes.append(scene)

@@ -1,0 +1,166 @@
+"""Small pictures for the 3D view: they keep their size on the screen and carry their own background.
+
+Each function gives a SoImage that is centred on, or hangs from, the point at which it is placed.
+"""
+
+from pivy import coin
+
+from osculate.gui.qt import Qt, QtCore, QtGui
+
+_TEXT_COLOR = "#16202b"
+_RING_RADIUS = 7.0
+
+#: A label's distance from its point, its rim, and where the line to the point begins.
+_REACH_RIGHT, _REACH_UP, _MARGIN, _LEAD = 30.0, 58.0, 2.0, 5.0
+
+
+def _canvas(width, height):
+    """A clear picture of width x height points, at the density of the screen."""
+    density = QtGui.QGuiApplication.primaryScreen().devicePixelRatio()
+    picture = QtGui.QImage(round(width * density), round(height * density),
+                           QtGui.QImage.Format.Format_RGBA8888)
+    picture.setDevicePixelRatio(density)
+    picture.fill(0)
+    return picture
+
+
+def _painter(picture):
+    painter = QtGui.QPainter(picture)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+    return painter
+
+
+def _image_node(picture, horizontal, vertical):
+    node = coin.SoImage()
+    size = coin.SbVec2s(picture.width(), picture.height())
+    upright = picture.mirrored(False, True)  # Coin counts rows from below
+    node.image.setValue(size, 4, bytes(upright.constBits()))
+    node.horAlignment = horizontal
+    node.vertAlignment = vertical
+    return node
+
+
+def _centred(picture):
+    return _image_node(picture, coin.SoImage.CENTER, coin.SoImage.HALF)
+
+
+def ring(color):
+    """A ring that marks a point."""
+    size = 2.0 * _RING_RADIUS + 8.0
+    picture = _canvas(size, size)
+    painter = _painter(picture)
+    centre = QtCore.QPointF(size / 2.0, size / 2.0)
+    for pen, width in (("#ffffff", 6.0), (color, 3.0)):
+        painter.setPen(QtGui.QPen(QtGui.QColor(pen), width))
+        painter.drawEllipse(centre, _RING_RADIUS, _RING_RADIUS)
+    painter.end()
+    return _centred(picture)
+
+
+def dot(color):
+    """A small filled dot."""
+    picture = _canvas(11, 11)
+    painter = _painter(picture)
+    painter.setPen(QtGui.QPen(QtGui.QColor("#ffffff"), 1.4))
+    painter.setBrush(QtGui.QColor(color))
+    painter.drawEllipse(QtCore.QPointF(5.5, 5.5), 3.6, 3.6)
+    painter.end()
+    return _centred(picture)
+
+
+def letter(text, color, points):
+    """A letter in a colour with a white outline."""
+    font = QtGui.QFont("serif", points)
+    font.setItalic(True)
+    font.setBold(True)
+    path = QtGui.QPainterPath()
+    path.addText(QtCore.QPointF(0, 0), font, text)
+    box = path.boundingRect().adjusted(-4, -4, 4, 4)
+    picture = _canvas(box.width(), box.height())
+    painter = _painter(picture)
+    painter.translate(-box.topLeft())
+    painter.strokePath(path, QtGui.QPen(QtGui.QColor("#ffffff"), 4.0, Qt.PenStyle.SolidLine,
+                                        Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin))
+    painter.fillPath(path, QtGui.QColor(color))
+    painter.end()
+    return _centred(picture)
+
+
+def tag(text, color):
+    """A round tag with a character."""
+    size = 22.0
+    picture = _canvas(size, size)
+    painter = _painter(picture)
+    box = QtCore.QRectF(2, 2, size - 4, size - 4)
+    painter.setPen(QtGui.QPen(QtGui.QColor("#ffffff"), 2.0))
+    painter.setBrush(QtGui.QColor(color))
+    painter.drawEllipse(box)
+    font = painter.font()
+    font.setPixelSize(12)
+    font.setBold(True)
+    painter.setFont(font)
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+    painter.end()
+    return _centred(picture)
+
+
+def callout(name, text, color, points, corner):
+    """A label away from its point, with a line that leads to it.
+
+    `name` stands in a field of the colour, `text` (may be empty) beside it on white. `corner` is
+    (1, 1) for a label up to the right of its point, (-1, -1) for down to the left, and so on.
+    """
+    font, bold = _label_fonts(points)
+    height = QtGui.QFontMetricsF(bold).height() + 8.0
+    name_width = QtGui.QFontMetricsF(bold).horizontalAdvance(name) + 16.0
+    text_width = QtGui.QFontMetricsF(font).horizontalAdvance(text) + 18.0 if text else 0.0
+    width = _REACH_RIGHT + name_width + text_width + _MARGIN
+    picture = _canvas(width, _REACH_UP + height + _MARGIN)
+    right, up = corner[0] > 0, corner[1] > 0
+    box = QtCore.QRectF(_REACH_RIGHT if right else _MARGIN, _MARGIN if up else _REACH_UP,
+                        name_width + text_width, height)
+    name_box = QtCore.QRectF(box.left(), box.top(), name_width, height)
+    text_box = QtCore.QRectF(name_box.right(), box.top(), text_width, height)
+    painter = _painter(picture)
+    _draw_leader(painter, QtCore.QPointF(_LEAD if right else width - _LEAD,
+                                         _REACH_UP + height + _MARGIN - _LEAD if up else _LEAD),
+                 QtCore.QPointF(box.left() + 8.0 if right else box.right() - 8.0,
+                                box.bottom() if up else box.top()), color)
+    _draw_fields(painter, box, name_box, color)
+    _draw_text(painter, name_box, name, bold, "#ffffff")
+    _draw_text(painter, text_box, text, font, _TEXT_COLOR)
+    painter.end()
+    return _image_node(picture, coin.SoImage.LEFT if right else coin.SoImage.RIGHT,
+                       coin.SoImage.BOTTOM if up else coin.SoImage.TOP)
+
+
+def _label_fonts(points):
+    font = QtGui.QFont()
+    font.setPointSize(points)
+    bold = QtGui.QFont(font)
+    bold.setBold(True)
+    return font, bold
+
+
+def _draw_text(painter, box, text, font, color):
+    painter.setFont(font)
+    painter.setPen(QtGui.QColor(color))
+    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _draw_leader(painter, start, end, color):
+    for pen, width in (("#ffffff", 4.5), (color, 2.0)):
+        painter.setPen(QtGui.QPen(QtGui.QColor(pen), width))
+        painter.drawLine(start, end)
+
+
+def _draw_fields(painter, box, name_box, color):
+    """The white label with a coloured left field and rim, all with round corners."""
+    outline = QtGui.QPainterPath()
+    outline.addRoundedRect(box, 5.0, 5.0)
+    painter.fillPath(outline, QtGui.QColor("#ffffff"))
+    painter.save()
+    painter.setClipRect(name_box)
+    painter.fillPath(outline, QtGui.QColor(color))
+    painter.restore()
+    painter.strokePath(outline, QtGui.QPen(QtGui.QColor(color), 1.6))

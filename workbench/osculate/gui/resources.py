@@ -1,0 +1,23 @@
+"""Where the add-on's icons, forms and translations lie."""
+
+import os
+
+from osculate.gui.qt import QtGui
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
+RESOURCES = os.path.join(ROOT, "resources")
+TRANSLATIONS = os.path.join(RESOURCES, "translations")
+
+
+def icon_path(name):
+    """The SVG file of an icon, by its name without ending."""
+    return os.path.join(RESOURCES, "icons", name + ".svg")
+
+
+def icon(name):
+    return QtGui.QIcon(icon_path(name))
+
+
+def form_path(name):
+    """The .ui file of a form, by its name without ending."""
+    return os.path.join(RESOURCES, "ui", name + ".ui")
