@@ -8,39 +8,39 @@ namespace osculate {
 
 namespace {
 
-using kernel::End;
+using kernel::Ends;
 
 /// The derivatives 0..4 in the direction of travel as rows, in the frame.
 template <int N>
-Eigen::Matrix<double, 5, 3> derivativesIn(const FrenetFrame& frame, const Jet<N>& jet, bool arrives,
-                                          const Vector3& origin) {
-  Eigen::Matrix<double, 5, 3> rows;
-  const auto components = [&](const Vector3& v) {
-    return Eigen::RowVector3d(v.dot(frame.tangent), v.dot(*frame.normal), v.dot(*frame.binormal));
+void setDerivatives(const Jet<N>& jet, double sign, const Vector3& origin, const FrenetFrame& frame,
+                    Eigen::Matrix<double, 5, 3>& rows) {
+  const auto set = [&](int row, double factor, const Vector3& v) {
+    rows(row, 0) = factor * v.dot(frame.tangent);
+    rows(row, 1) = factor * v.dot(*frame.normal);
+    rows(row, 2) = factor * v.dot(*frame.binormal);
   };
-  rows.row(0) = components(jet.point - origin);
-  for (int k = 1; k <= 4; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const double sign = arrives && k % 2 == 1 ? -1.0 : 1.0;
-    rows.row(k) = sign * detail::kFactorials[i] * components(jet.c[i]);
-  }
-  return rows;
+  set(0, 1.0, jet.point - origin);
+  set(1, sign, jet.c[1]);
+  set(2, 2.0, jet.c[2]);
+  set(3, 6.0 * sign, jet.c[3]);
+  set(4, 24.0, jet.c[4]);
 }
 
 /// beta(t) = t_first(s_second(t)): equal arc lengths on both sides, as a truncated series.
 template <int N>
-void setBeta(const ArcJet<N>& arriving, const ArcJet<N>& leaving, JoinReport& report) {
-  std::array<double, N + 1> forward;  // t(s) in the direction of travel
-  for (std::size_t k = 0; k <= N; ++k) forward[k] = k % 2 == 1 ? arriving.parameter[k] : -arriving.parameter[k];
+[[gnu::always_inline]] inline void setBeta(const ArcJet<N, Lanes>& arc, JoinReport& report) {
+  std::array<double, N + 1> s;  // of the second curve's parameter
+  for (std::size_t k = 0; k <= N; ++k) s[k] = arc.arcLength[k][1];
   std::array<double, N + 1> sum{};
-  std::array<double, N + 1> power = leaving.arcLength;
+  std::array<double, N + 1> power = s;  // s^j
   for (std::size_t j = 1; j <= N; ++j) {
-    for (std::size_t k = j; k <= N; ++k) sum[k] += forward[j] * power[k];
-    std::array<double, N + 1> next{};
-    for (std::size_t k = j + 1; k <= N; ++k) {
-      next[k] = series::nextPower(leaving.arcLength.data(), power.data(), static_cast<int>(j + 1), static_cast<int>(k));
+    const double outward = arc.parameter[j][0];
+    const double forward = j % 2 == 1 ? outward : -outward;  // -t(-s) of the arriving curve
+    for (std::size_t k = j; k <= N; ++k) sum[k] += forward * power[k];
+    // from the highest coefficient down, so that s^(j+1) can take the place of s^j
+    for (std::size_t k = N; k > j; --k) {
+      power[k] = series::nextPower(s.data(), power.data(), static_cast<int>(j + 1), static_cast<int>(k));
     }
-    power = next;
   }
   for (std::size_t k = 1; k <= N; ++k) report.beta[k - 1] = detail::kFactorials[k] * sum[k];
 }
@@ -57,19 +57,17 @@ int betaCount(const JoinReport& report) {
 }
 
 template <int N>
-[[gnu::always_inline]] inline SideReport describeSide(const JoinSide& side, const End<N>& end, bool arrives,
-                                                      double scale) {
-  SideReport report;
-  report.end = side.end;
-  report.point = end.jet.point;
-  const double flatBelow = std::max(end.arc.error[2], kFlatness / scale);
-  const ArcInvariants arc = arcInvariants(inTravel(end.arc, arrives), end.arc.smoothness, flatBelow);
-  report.frame = arc.frame;
-  report.invariants = arc.invariants;
-  report.linearity = linearity(side.segment, side.end, side.poleError);
-  report.multiplicity = end.arc.multiplicity;
-  report.smoothness = end.singular ? end.arc.smoothness : kMaxOrder;
-  return report;
+[[gnu::always_inline]] inline void describeSide(const JoinSide& side, const Ends<N>& ends,
+                                                const ArcNumbers<Lanes>& numbers, int lane, JoinReport& report) {
+  const auto i = static_cast<std::size_t>(lane);
+  SideReport& out = report.sides[i];
+  out.end = side.end;
+  out.point = ends.jets[i].point;
+  out.multiplicity = ends.multiplicity[i];
+  out.smoothness = ends.multiplicity[i] > 1 ? ends.smoothness[i] : kMaxOrder;
+  out.linearity = linearity(side.segment, side.end, side.poleError);
+  const double flatBelow = std::max(ends.arc.error[2][lane], kFlatness / report.scaleMm);
+  storeNumbers(numbers, lane, ends.smoothness[i], flatBelow, out.frame, out.invariants);
 }
 
 /// Completes the first side's frame by the thesis's special cases.
@@ -90,16 +88,16 @@ std::optional<double> absoluteDifference(const std::optional<double>& a, const s
 }
 
 template <int N>
-void setDeviation(const End<N>& a, const End<N>& b, JoinReport& report) {
+void setDeviation(const Ends<N>& ends, const ArcNumbers<Lanes>& numbers, JoinReport& report) {
   Deviation& deviation = report.deviation;
   const auto& [first, second] = report.sides;
   deviation.gapMm = report.residuals[0];
-  const int exists = std::min(a.arc.smoothness, b.arc.smoothness);
+  const int exists = ends.commonSmoothness();
   if (exists >= 1) deviation.tangentAngleDegrees = report.residuals[1];
   if (exists >= 2) {
-    deviation.curvatureVectorPerMm = (a.arc.r[2] - b.arc.r[2]).norm();
-    const double larger = std::max(a.arc.norm[2], b.arc.norm[2]);
-    if (larger > 0.0) deviation.curvatureRelative = std::abs(a.arc.norm[2] - b.arc.norm[2]) / larger;
+    deviation.curvatureVectorPerMm = std::sqrt(kernel::squaredDifference(ends.arc.r[2], 2));
+    const double larger = std::max(numbers.curvature[0], numbers.curvature[1]);
+    if (larger > 0.0) deviation.curvatureRelative = std::abs(numbers.curvature[0] - numbers.curvature[1]) / larger;
   }
   if (first.frame.binormal && second.frame.binormal) {
     deviation.osculatingPlaneAngleDegrees =
@@ -114,7 +112,7 @@ void setDeviation(const End<N>& a, const End<N>& b, JoinReport& report) {
 }
 
 template <int N>
-void setWarnings(const End<N>& a, const End<N>& b, const std::array<BezierView, 2>& segments, JoinReport& report) {
+void setWarnings(const Ends<N>& ends, const std::array<BezierView, 2>& segments, JoinReport& report) {
   for (std::size_t k = 0; k <= static_cast<std::size_t>(report.requestedOrder); ++k) {
     if (report.verdicts[k] == Verdict::kUndecided) report.warnings.add(Warning::kUndecided);
   }
@@ -130,7 +128,7 @@ void setWarnings(const End<N>& a, const End<N>& b, const std::array<BezierView, 
     if (side.smoothness >= 2 && !side.frame.normal && !straight) report.warnings.add(Warning::kNearFlat);
   }
   constexpr double kFar = 1e6;
-  if (std::max(a.jet.size, b.jet.size) > kFar * report.scaleMm) report.warnings.add(Warning::kFarFromOrigin);
+  if (std::max(ends.jets[0].size, ends.jets[1].size) > kFar * report.scaleMm) report.warnings.add(Warning::kFarFromOrigin);
 }
 
 template <int N>
@@ -143,20 +141,22 @@ JoinReport analyze(const JoinSide& arriving, const JoinSide& leaving, const Anal
   for (int k = 0; k <= options.order; ++k) {
     report.tolerances[static_cast<std::size_t>(k)] = options.tolerances.ofOrder(k);
   }
-  const End<N> a = kernel::makeEnd<N>(arriving);
-  const End<N> b = kernel::makeEnd<N>(leaving);
-  kernel::decide(a, b, arriving, leaving, report.scaleMm, options, report);
-  if (!a.singular && !b.singular) {
+  const Ends<N> ends = kernel::makeEnds<N>(arriving, leaving);
+  kernel::decide(ends, arriving, leaving, report.scaleMm, options, report);
+  if (ends.regular()) {
     report.betaCount = betaCount(report);
-    if (report.betaCount > 0) setBeta(a.arc, b.arc, report);
+    if (report.betaCount > 0) setBeta(ends.arc, report);
   }
-  report.sides = {describeSide(arriving, a, true, report.scaleMm), describeSide(leaving, b, false, report.scaleMm)};
+  const auto numbers = arcNumbers(inTravel(ends.arc.r, Lanes(-1.0, 1.0)));
+  describeSide(arriving, ends, numbers, 0, report);
+  describeSide(leaving, ends, numbers, 1, report);
   setFrame(arriving, report);
-  report.derivativesInFrame = {derivativesIn(report.frame, a.jet, true, a.jet.point),
-                               derivativesIn(report.frame, b.jet, false, a.jet.point)};
-  setDeviation(a, b, report);
+  const Vector3& origin = ends.jets[0].point;
+  setDerivatives(ends.jets[0], -1.0, origin, report.frame, report.derivativesInFrame[0]);
+  setDerivatives(ends.jets[1], 1.0, origin, report.frame, report.derivativesInFrame[1]);
+  setDeviation(ends, numbers, report);
   setDefinitions(options.tolerances, report);
-  setWarnings(a, b, {arriving.segment, leaving.segment}, report);
+  setWarnings(ends, {arriving.segment, leaving.segment}, report);
   return report;
 }
 
@@ -164,9 +164,7 @@ template <int N>
 JoinDecision decision(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
   JoinDecision result;
   const double scale = kernel::scaleOf(arriving, leaving, options);
-  const End<N> a = kernel::makeEnd<N>(arriving);
-  const End<N> b = kernel::makeEnd<N>(leaving);
-  kernel::decide(a, b, arriving, leaving, scale, options, result);
+  kernel::decide(kernel::makeEnds<N>(arriving, leaving), arriving, leaving, scale, options, result);
   return result;
 }
 
@@ -183,16 +181,23 @@ JoinDecision decideJoin(const JoinSide& arriving, const JoinSide& leaving, const
 
 double reachOf(BezierView segment, CurveEnd end) {
   const int n = segment.degree;
+  const double* binomials = detail::kBinomials[static_cast<std::size_t>(n)].data();
+  Vector3 sum = Vector3::Zero();  // of C(n,i) w_i b_i: 2^n times the homogeneous middle point
+  double weights = static_cast<double>(1 << n);
+  if (segment.weights == nullptr) {
+    for (int i = 0; i <= n; ++i) sum += binomials[i] * segment.pole(i);
+  } else {
+    weights = 0.0;
+    for (int i = 0; i <= n; ++i) {
+      const double weight = binomials[i] * segment.weights[i];
+      sum += weight * segment.pole(i);
+      weights += weight;
+    }
+  }
   const Vector3 join = segment.pole(end == CurveEnd::kStart ? 0 : n);
   const Vector3 other = segment.pole(end == CurveEnd::kStart ? n : 0);
-  Vector3 middle = Vector3::Zero();  // sum of C(n,i) w_i (b_i - join), the weights not yet divided out
-  double weights = 0.0;
-  for (int i = 0; i <= n; ++i) {
-    const double weight = binomial(n, i) * segment.weight(i);
-    middle += weight * (segment.pole(i) - join);
-    weights += weight;
-  }
-  return std::sqrt(std::max((other - join).squaredNorm(), middle.squaredNorm() / (weights * weights)));
+  const Vector3 middle = sum / weights;
+  return std::sqrt(std::max((other - join).squaredNorm(), (middle - join).squaredNorm()));
 }
 
 }  // namespace osculate

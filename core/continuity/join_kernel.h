@@ -15,40 +15,54 @@ namespace osculate::kernel {
 
 inline constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// One side: its Taylor coefficients and its derivatives by arc length, both outward from the join.
+/// Both sides of a join, each outward from the join: the arriving curve in the first lane, the
+/// leaving one in the second.
 template <int N>
-struct End {
-  Jet<N> jet;
-  ArcJet<N> arc;
-  bool singular;
+struct Ends {
+  std::array<Jet<N>, 2> jets;
+  ArcJet<N, Lanes> arc;
+  std::array<int, 2> multiplicity{1, 1};
+  std::array<int, 2> smoothness{N, N};
+
+  bool regular() const { return multiplicity[0] == 1 && multiplicity[1] == 1; }
+  int commonSmoothness() const { return std::min(smoothness[0], smoothness[1]); }
 };
 
-/// The first N orders of a singular end's derivatives.
+inline Lanes withLane(Lanes both, std::size_t i, double value) {
+  return i == 0 ? Lanes(value, both[1]) : Lanes(both[0], value);
+}
+
+/// Puts the expansion of a singular end in place of what the regular formulas gave.
 template <int N>
-ArcJet<N> singularArcJet(const JoinSide& side, int order) {
-  const auto full = singularEnd(side.segment, side.end, side.poleError, order);
-  ArcJet<N> arc{};
-  for (std::size_t k = 0; k <= N; ++k) {
-    arc.r[k] = full.r[k];
-    arc.norm[k] = full.norm[k];
-    arc.error[k] = full.error[k];
+[[gnu::noinline]] void replaceSingular(const JoinSide& side, std::size_t i, Ends<N>& ends) {
+  const SingularEnd singular = singularEnd(side.segment, side.end, side.poleError, N);
+  ends.multiplicity[i] = singular.multiplicity;
+  ends.smoothness[i] = singular.smoothness;
+  for (std::size_t k = 1; k <= N; ++k) {
+    for (int axis = 0; axis < 3; ++axis) {
+      ends.arc.r[k][axis] = withLane(ends.arc.r[k][axis], i, singular.r[k][axis]);
+    }
+    ends.arc.norm[k] = withLane(ends.arc.norm[k], i, singular.r[k].norm());
+    ends.arc.error[k] = withLane(ends.arc.error[k], i, singular.error[k]);
   }
-  arc.multiplicity = full.multiplicity;
-  arc.smoothness = full.smoothness;
-  return arc;
 }
 
 template <int N>
-[[gnu::always_inline]] inline End<N> makeEnd(const JoinSide& side) {
-  End<N> end;
-  end.jet = endJet<N>(side.segment, side.end, side.poleError);
-  end.singular = isSingular(end.jet);
-  if (end.singular) [[unlikely]] {
-    end.arc = singularArcJet<N>(side, N);
-  } else {
-    end.arc = arcJet(end.jet);
+[[gnu::always_inline]] inline Ends<N> makeEnds(const JoinSide& arriving, const JoinSide& leaving) {
+  Ends<N> ends;
+  ends.jets[0] = endJet<N>(arriving.segment, arriving.end, arriving.poleError);
+  ends.jets[1] = endJet<N>(leaving.segment, leaving.end, leaving.poleError);
+  const auto& [a, b] = ends.jets;
+  std::array<LanesVector, N + 1> c;
+  std::array<Lanes, N + 1> error;
+  for (std::size_t k = 1; k <= N; ++k) {
+    c[k] = zip(a.c[k], b.c[k]);
+    error[k] = Lanes(a.error[k], b.error[k]);
   }
-  return end;
+  ends.arc = arcJet<N, Lanes>(c, error);
+  if (isSingular(a)) [[unlikely]] replaceSingular(arriving, 0, ends);
+  if (isSingular(b)) [[unlikely]] replaceSingular(leaving, 1, ends);
+  return ends;
 }
 
 inline double scaleOf(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
@@ -75,80 +89,79 @@ inline Verdict judge(double residual, double uncertainty, double tolerance) {
   return residual - uncertainty > tolerance ? Verdict::kFail : Verdict::kUndecided;
 }
 
-/// |x_a - x_b| for derivatives of order k taken outward on both sides: forward those of the
+/// |x_a - x_b|^2 for derivatives of order k taken outward on both sides: forward those of the
 /// arriving side change sign with odd k.
-inline double differenceNorm(const Vector3& arriving, const Vector3& leaving, std::size_t k) {
-  return k % 2 == 1 ? (arriving + leaving).norm() : (arriving - leaving).norm();
+[[gnu::always_inline]] inline double squaredDifference(const LanesVector& x, std::size_t k) {
+  const Vector3 first = lane(x, 0);
+  const Vector3 second = lane(x, 1);
+  return k % 2 == 1 ? (first + second).squaredNorm() : (first - second).squaredNorm();
 }
 
 template <int N>
-[[gnu::always_inline]] inline void setResiduals(const End<N>& a, const End<N>& b, double scale,
-                                                JoinDecision& decision) {
-  decision.residuals[0] = (a.jet.point - b.jet.point).norm();
-  decision.uncertainties[0] = a.jet.pointError + b.jet.pointError;
+[[gnu::always_inline]] inline void setResiduals(const Ends<N>& ends, double scale, JoinDecision& decision) {
+  const auto& [a, b] = ends.jets;
+  const auto& arc = ends.arc;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  decision.residuals[0] = (a.point - b.point).norm();
+  decision.uncertainties[0] = a.pointError + b.pointError;
+  const int exists = ends.commonSmoothness();
+  decision.residuals[1] =
+      exists < 1 ? kInfinity : kDegrees * angleBetween(-lane(arc.r[1], 0), lane(arc.r[1], 1));
+  decision.uncertainties[1] =
+      exists < 1 ? 0.0 : std::min(180.0, kDegrees * (arc.error[1][0] + arc.error[1][1]));
   const double inverseScale = 1.0 / scale;
-  const int exists = std::min(a.arc.smoothness, b.arc.smoothness);
-  if (exists >= 1) {
-    decision.residuals[1] = kDegrees * angleBetween(-a.arc.r[1], b.arc.r[1]);
-    const double radians = a.arc.error[1] + b.arc.error[1];
-    decision.uncertainties[1] = std::min(180.0, kDegrees * radians);
-  } else {
-    decision.residuals[1] = std::numeric_limits<double>::infinity();
-    decision.uncertainties[1] = 0.0;
-  }
   double least = 1.0;
   for (std::size_t k = 2; k <= N; ++k) {
     least *= inverseScale;  // L^(1-k)
     if (static_cast<int>(k) > exists) {
-      decision.residuals[k] = std::numeric_limits<double>::infinity();
+      decision.residuals[k] = kInfinity;
       decision.uncertainties[k] = 0.0;
       continue;
     }
-    const double inverse = 1.0 / std::max({a.arc.norm[k], b.arc.norm[k], least});
-    const double residual = inverse * differenceNorm(a.arc.r[k], b.arc.r[k], k);
+    const double inverse = 1.0 / std::max({arc.norm[k][0], arc.norm[k][1], least});
+    const double residual = inverse * std::sqrt(squaredDifference(arc.r[k], k));
     decision.residuals[k] = residual;
     // the error of the difference, and that of the size it is divided by
-    decision.uncertainties[k] = inverse * (a.arc.error[k] + b.arc.error[k]) * (1.0 + residual);
+    decision.uncertainties[k] = inverse * (arc.error[k][0] + arc.error[k][1]) * (1.0 + residual);
   }
 }
 
 /// The residuals of C^m: |P^(k) - Q^(k)| / max(|P^(k)|, |Q^(k)|, v^k L^(1-k)), v the larger speed.
 template <int N>
-[[gnu::always_inline]] inline int parametricOrder(const End<N>& a, const End<N>& b, const JoinSide& arriving,
+[[gnu::always_inline]] inline int parametricOrder(const Ends<N>& ends, const JoinSide& arriving,
                                                   const JoinSide& leaving, double scale,
                                                   const AnalysisOptions& options, JoinDecision& decision) {
   decision.parametricResiduals[0] = decision.residuals[0];
   int order = decision.verdicts[0] == Verdict::kPass ? 0 : -1;
-  const double perUnitA = 1.0 / arriving.span;
-  const double perUnitB = 1.0 / leaving.span;
-  double factorA = 1.0;
-  double factorB = 1.0;
+  const auto& [a, b] = ends.jets;
+  const Lanes perUnit = Lanes(1.0) / Lanes(arriving.span, leaving.span);
+  Lanes factor(1.0);
   double least = scale;
   double speedOverScale = 0.0;
   for (std::size_t k = 1; k <= N && static_cast<int>(k) <= options.order; ++k) {
-    factorA *= perUnitA * static_cast<double>(k);
-    factorB *= perUnitB * static_cast<double>(k);
-    const Vector3 p = factorA * a.jet.c[k];
-    const Vector3 q = factorB * b.jet.c[k];
-    const double larger = std::sqrt(std::max(p.squaredNorm(), q.squaredNorm()));
-    if (k == 1) speedOverScale = larger / scale;
+    factor *= perUnit * Lanes(static_cast<double>(k));
+    const LanesVector derivative = zip(a.c[k], b.c[k]) * factor;
+    const Lanes squared = derivative.squaredNorm();
+    const Lanes roots = sqrt(Lanes(std::max(squared[0], squared[1]), squaredDifference(derivative, k)));
+    if (k == 1) speedOverScale = roots[0] / scale;
     least *= speedOverScale;
-    const double size = std::max(larger, least);
-    const double error = factorA * a.jet.error[k] + factorB * b.jet.error[k];
-    const double difference = differenceNorm(p, q, k);
-    decision.parametricResiduals[k] = size > 0.0 ? difference / size : 0.0;
+    const double size = std::max(roots[0], least);
+    const Lanes errors = factor * Lanes(a.error[k], b.error[k]);
+    decision.parametricResiduals[k] = size > 0.0 ? roots[1] / size : 0.0;
     const double tolerance = k == 1 ? options.tolerances.angleDegrees / kDegrees
                                     : options.tolerances.ofOrder(static_cast<int>(k));
-    if (order == static_cast<int>(k) - 1 && difference + error <= tolerance * size) order = static_cast<int>(k);
+    if (order == static_cast<int>(k) - 1 && roots[1] + errors[0] + errors[1] <= tolerance * size) {
+      order = static_cast<int>(k);
+    }
   }
   return order;
 }
 
 template <int N>
-[[gnu::always_inline]] inline void decide(const End<N>& a, const End<N>& b, const JoinSide& arriving,
-                                          const JoinSide& leaving, double scale,
-                                          const AnalysisOptions& options, JoinDecision& decision) {
-  setResiduals(a, b, scale, decision);
+[[gnu::always_inline]] inline void decide(const Ends<N>& ends, const JoinSide& arriving, const JoinSide& leaving,
+                                          double scale, const AnalysisOptions& options,
+                                          JoinDecision& decision) {
+  setResiduals(ends, scale, decision);
   decision.order = -1;
   for (int k = 0; k <= N && k <= options.order; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -156,7 +169,7 @@ template <int N>
         judge(decision.residuals[i], decision.uncertainties[i], options.tolerances.ofOrder(k));
     if (decision.order == k - 1 && decision.verdicts[i] == Verdict::kPass) decision.order = k;
   }
-  decision.parametricOrder = parametricOrder(a, b, arriving, leaving, scale, options, decision);
+  decision.parametricOrder = parametricOrder(ends, arriving, leaving, scale, options, decision);
 }
 
 }  // namespace osculate::kernel

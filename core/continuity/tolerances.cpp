@@ -50,16 +50,6 @@ void checkPositive(double value, const char* argument) {
 
 }  // namespace
 
-double Tolerances::ofOrder(int order) const {
-  switch (order) {
-    case 0: return gapMm;
-    case 1: return angleDegrees;
-    case 2: return curvature;
-    case 3: return third;
-    default: return fourth;
-  }
-}
-
 Tolerances Tolerances::preset(std::string_view name) {
   std::string known;
   for (const Preset& preset : kPresets) {

@@ -30,7 +30,15 @@ struct Tolerances {
   std::string_view name = "osculate";                 ///< of the preset, or "custom"; static text
 
   /// The tolerance of one order, 0 .. kMaxOrder, in the unit of its residual.
-  double ofOrder(int order) const;
+  double ofOrder(int order) const {
+    switch (order) {
+      case 0: return gapMm;
+      case 1: return angleDegrees;
+      case 2: return curvature;
+      case 3: return third;
+      default: return fourth;
+    }
+  }
   /// Throws std::invalid_argument that lists the presets.
   static Tolerances preset(std::string_view name);
   /// Throws std::invalid_argument unless every tolerance is finite and > 0.

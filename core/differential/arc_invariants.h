@@ -8,54 +8,69 @@
 
 namespace osculate {
 
-struct ArcInvariants {
-  FrenetFrame frame;      ///< normal and binormal only where curvature exists and is not flat
-  Invariants invariants;
-  bool flat = false;      ///< curvature not above `flatBelow`: no normal, torsion, rates
-};
+/// Curvature below this share of 1/L is flat: normal, torsion and rates mean nothing there.
+inline constexpr double kFlatness = 1e-6;
 
-/// From r_1 .. r_available in the direction of travel:
-/// kappa = |r_2|, n = r_2/kappa, b = r_1 x n, kappa' = n.r_3, tau = b.r_3/kappa,
-/// kappa'' = n.r_4 + kappa^3 + kappa tau^2, tau' = (b.r_4 - 2 kappa' tau)/kappa
-/// (the derivatives of the Frenet-Serret formulas; do Carmo, Differential Geometry, sec. 1-5).
-[[gnu::always_inline]] inline ArcInvariants arcInvariants(const std::array<Vector3, 5>& r, int available,
-                                                          double flatBelow) {
-  ArcInvariants result;
-  if (available < 1) return result;
-  result.frame.tangent = r[1];
-  if (available < 2) return result;
-  const double curvature = r[2].norm();
-  result.invariants.curvature = curvature;
-  result.flat = curvature <= flatBelow;
-  if (result.flat) return result;
-  const double radius = 1.0 / curvature;
-  const Vector3 normal = radius * r[2];
-  const Vector3 binormal = r[1].cross(normal);
-  result.frame.normal = normal;
-  result.frame.binormal = binormal;
-  if (available < 3) return result;
-  const double rate = normal.dot(r[3]);
-  const double torsion = binormal.dot(r[3]) * radius;
-  result.invariants.curvatureRate = rate;
-  result.invariants.torsion = torsion;
-  if (available < 4) return result;
-  result.invariants.curvatureRate2 =
-      normal.dot(r[4]) + curvature * (curvature * curvature + torsion * torsion);
-  result.invariants.torsionRate = (binormal.dot(r[4]) - 2.0 * rate * torsion) * radius;
-  return result;
-}
+/// r_0 .. r_4 in the direction of travel.
+template <class Scalar>
+using TravelJet = std::array<Eigen::Matrix<Scalar, 3, 1>, 5>;
 
-/// The first four outward derivatives by arc length, turned into the direction of travel: a curve
-/// that arrives at its end runs against them, r_k (-1)^k.
-template <int N>
-[[gnu::always_inline]] inline std::array<Vector3, 5> inTravel(const ArcJet<N>& arc, bool arrives) {
-  static_assert(N >= 4);
-  std::array<Vector3, 5> r;
-  for (std::size_t k = 0; k < r.size(); ++k) r[k] = arrives && k % 2 == 1 ? Vector3(-arc.r[k]) : arc.r[k];
+/// From outward derivatives; `sign` is -1 for a curve that arrives at the point: it runs against
+/// them, r_k (-1)^k.
+template <class Vectors, class Scalar>
+[[gnu::always_inline]] inline TravelJet<Scalar> inTravel(const Vectors& outward, Scalar sign) {
+  TravelJet<Scalar> r;
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    r[k] = outward[k];
+    if (k % 2 == 1) r[k] *= sign;
+  }
   return r;
 }
 
-/// Curvature below this share of 1/L is flat: normal, torsion and rates mean nothing there.
-inline constexpr double kFlatness = 1e-6;
+/// The formulas without regard to whether the curvature is zero.
+template <class Scalar>
+struct ArcNumbers {
+  Eigen::Matrix<Scalar, 3, 1> tangent, normal, binormal;
+  Scalar curvature, torsion, curvatureRate, curvatureRate2, torsionRate;
+};
+
+/// kappa = |r_2|, n = r_2/kappa, b = r_1 x n, kappa' = n.r_3, tau = b.r_3/kappa,
+/// kappa'' = n.r_4 + kappa^3 + kappa tau^2, tau' = (b.r_4 - 2 kappa' tau)/kappa
+/// (the derivatives of the Frenet-Serret formulas; do Carmo, Differential Geometry, sec. 1-5).
+template <class Scalar>
+[[gnu::always_inline]] inline ArcNumbers<Scalar> arcNumbers(const TravelJet<Scalar>& r) {
+  using std::sqrt;
+  ArcNumbers<Scalar> n;
+  n.tangent = r[1];
+  n.curvature = sqrt(r[2].squaredNorm());
+  const Scalar radius = Scalar(1.0) / n.curvature;
+  n.normal = r[2] * radius;
+  n.binormal = r[1].cross(n.normal);
+  n.curvatureRate = n.normal.dot(r[3]);
+  n.torsion = n.binormal.dot(r[3]) * radius;
+  n.curvatureRate2 = n.normal.dot(r[4]) + n.curvature * (n.curvature * n.curvature + n.torsion * n.torsion);
+  n.torsionRate = (n.binormal.dot(r[4]) - Scalar(2.0) * n.curvatureRate * n.torsion) * radius;
+  return n;
+}
+
+/// Stores what exists: derivatives up to `available`, and what needs a normal only where the
+/// curvature is above `flatBelow`. `lane` chooses the side of Lanes.
+template <class Scalar>
+[[gnu::always_inline]] inline void storeNumbers(const ArcNumbers<Scalar>& n, int side, int available,
+                                                double flatBelow, FrenetFrame& frame, Invariants& invariants) {
+  if (available < 1) return;
+  frame.tangent = lane(n.tangent, side);
+  if (available < 2) return;
+  invariants.curvature = lane(n.curvature, side);
+  if (!(*invariants.curvature > flatBelow)) return;
+  frame.normal = lane(n.normal, side);
+  frame.binormal = lane(n.binormal, side);
+  if (available < 3) return;
+  invariants.torsion = lane(n.torsion, side);
+  invariants.curvatureRate = lane(n.curvatureRate, side);
+  if (available < 4) return;
+  invariants.curvatureRate2 = lane(n.curvatureRate2, side);
+  invariants.torsionRate = lane(n.torsionRate, side);
+}
 
 }  // namespace osculate

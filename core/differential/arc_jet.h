@@ -6,20 +6,20 @@
 #include <limits>
 
 #include "osculate/differential/jet.h"
+#include "osculate/differential/lanes.h"
 #include "osculate/differential/series.h"
 
 namespace osculate {
 
-/// Outward from the end, s >= 0. r[k] in mm^(1-k).
-template <int N>
+/// Outward from the end, s >= 0. The scalar is double for one end, Lanes for both ends of a join.
+template <int N, class Scalar = double>
 struct ArcJet {
-  std::array<Vector3, N + 1> r;        ///< d^k P / ds^k, k >= 1; r[0] is zero
-  std::array<double, N + 1> norm;      ///< |r[k]|
-  std::array<double, N + 1> error;     ///< bounds of the errors |delta r[k]|
-  std::array<double, N + 1> parameter; ///< Taylor coefficients of t(s); of a regular end only
-  std::array<double, N + 1> arcLength; ///< Taylor coefficients of s(t); of a regular end only
-  int multiplicity = 1;                ///< first non-vanishing derivative by the parameter
-  int smoothness = N;                  ///< r[1] .. r[smoothness] exist
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  std::array<Vector, N + 1> r;          ///< d^k P / ds^k in mm^(1-k), k >= 1; r[0] is zero
+  std::array<Scalar, N + 1> norm;       ///< |r[k]|
+  std::array<Scalar, N + 1> error;      ///< bounds of the errors |delta r[k]|
+  std::array<Scalar, N + 1> parameter;  ///< Taylor coefficients of t(s), s in mm
+  std::array<Scalar, N + 1> arcLength;  ///< Taylor coefficients of s(t)
 };
 
 namespace detail {
@@ -28,20 +28,20 @@ namespace detail {
 template <class Scalar, int N>
 using PowerTable = std::array<std::array<Scalar, N + 1>, N + 1>;
 
-/// t(s) from dt/ds = f(t), f = |P'|^(-1/2 of the square): (k+1) t_{k+1} = sum_j f_j [s^k] t^j.
+/// t(s) from dt/ds = f(t), f = 1/|P'|: (k+1) t_{k+1} = sum_j f_j [s^k] t^j.
 template <class Scalar, int N>
 [[gnu::always_inline]] inline void invertArcLength(const std::array<Scalar, N>& f, PowerTable<Scalar, N>& power) {
   auto& t = power[1];
   t[1] = f[0];
   for (std::size_t k = 1; k < N; ++k) {
-    Scalar sum(0);
+    Scalar sum(0.0);
     for (std::size_t j = 1; j <= k; ++j) {
       if (j > 1) {
         power[j][k] = series::nextPower(t.data(), power[j - 1].data(), static_cast<int>(j), static_cast<int>(k));
       }
       sum += f[j] * power[j][k];
     }
-    t[k + 1] = sum / Scalar(k + 1);
+    t[k + 1] = Scalar(1.0 / static_cast<double>(k + 1)) * sum;
   }
   for (std::size_t j = 2; j <= N; ++j) {
     power[j][N] = series::nextPower(t.data(), power[j - 1].data(), static_cast<int>(j), N);
@@ -52,15 +52,16 @@ template <class Scalar, int N>
 /// D(s) of the points changes the curve by arc length by D - R'(s) int_0^s R' . D' (first variation
 /// of arc length), whose coefficients are bounded by products of norms. `epsilon` bounds the errors
 /// of the coefficients of P by a parameter of unit speed, `length` is |rho_k|.
-template <int N>
-[[gnu::always_inline]] inline void propagateErrors(const std::array<double, N + 1>& epsilon,
-                                                   const PowerTable<double, N>& power,
-                                                   const std::array<double, N + 1>& length,
-                                                   std::array<double, N + 1>& error) {
-  PowerTable<double, N> majorant;
-  for (std::size_t k = 1; k <= N; ++k) majorant[1][k] = std::abs(power[1][k]);
-  std::array<double, N + 1> d{};
-  std::array<double, N + 1> arc{};
+template <int N, class Scalar>
+[[gnu::always_inline]] inline void propagateErrors(const std::array<Scalar, N + 1>& epsilon,
+                                                   const PowerTable<Scalar, N>& power,
+                                                   const std::array<Scalar, N + 1>& length,
+                                                   std::array<Scalar, N + 1>& error) {
+  using std::abs;
+  PowerTable<Scalar, N> majorant;
+  for (std::size_t k = 1; k <= N; ++k) majorant[1][k] = abs(power[1][k]);
+  std::array<Scalar, N + 1> d;
+  std::array<Scalar, N + 1> arc;
   for (std::size_t k = 1; k <= N; ++k) {
     d[k] = epsilon[1] * majorant[1][k];
     for (std::size_t j = 2; j <= k; ++j) {
@@ -68,12 +69,15 @@ template <int N>
           series::nextPower(majorant[1].data(), majorant[j - 1].data(), static_cast<int>(j), static_cast<int>(k));
       d[k] += epsilon[j] * majorant[j][k];
     }
+    arc[k] = Scalar(0.0);
     for (std::size_t a = 0; a < k; ++a) {
-      arc[k] += static_cast<double>((a + 1) * (k - a)) * length[a + 1] * d[k - a];
+      const double factor = static_cast<double>((a + 1) * (k - a)) / static_cast<double>(k);
+      arc[k] += Scalar(factor) * length[a + 1] * d[k - a];
     }
-    arc[k] /= static_cast<double>(k);
     error[k] = d[k];
-    for (std::size_t i = 0; i < k; ++i) error[k] += static_cast<double>(i + 1) * length[i + 1] * arc[k - i];
+    for (std::size_t i = 0; i < k; ++i) {
+      error[k] += Scalar(static_cast<double>(i + 1)) * length[i + 1] * arc[k - i];
+    }
   }
 }
 
@@ -81,8 +85,18 @@ template <int N>
 inline double nonlinearity(double relativeError) {
   return relativeError < 0.1 ? 1.0 / (1.0 - 8.0 * relativeError) : std::numeric_limits<double>::infinity();
 }
+inline Lanes nonlinearity(Lanes relativeError) {
+  return {nonlinearity(relativeError[0]), nonlinearity(relativeError[1])};
+}
 
 constexpr std::array<double, 9> kFactorials{1, 1, 2, 6, 24, 120, 720, 5040, 40320};
+
+/// The sum of the components' magnitudes: a bound of the norm without a square root.
+template <class Vector>
+[[gnu::always_inline]] inline auto normBound(const Vector& v) {
+  using std::abs;
+  return abs(v.x()) + abs(v.y()) + abs(v.z());
+}
 
 }  // namespace detail
 
@@ -92,63 +106,75 @@ inline bool isSingular(const Jet<N>& jet) {
   return jet.c[1].squaredNorm() <= jet.error[1] * jet.error[1];
 }
 
-/// Arc-length derivatives of a regular end: t(s) is found from dt/ds = 1/|P'| as a series and put
-/// into P (mathematics: Boehm, Curvature continuous curves and surfaces, 1985; series by recurrence).
-template <int N>
-[[gnu::always_inline]] inline ArcJet<N> arcJet(const Jet<N>& jet) {
-  ArcJet<N> arc;
-  const double speed = jet.c[1].norm();
-  const double inverse = 1.0 / speed;
+/// Arc-length derivatives from Taylor coefficients c_1 .. c_N of a regular end and bounds of their
+/// errors: t(s) is found from dt/ds = 1/|P'| as a series and put into P.
+template <int N, class Scalar>
+[[gnu::always_inline]] inline ArcJet<N, Scalar> arcJet(const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& c,
+                                                       const std::array<Scalar, N + 1>& error) {
+  using std::sqrt;
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  ArcJet<N, Scalar> arc;
+  const Scalar speed = sqrt(c[1].squaredNorm());
+  const Scalar inverse = Scalar(1.0) / speed;
 
   // the parameter is scaled to unit speed at the end: p_k = c_k / speed^k, so that p_1 is the tangent
-  std::array<Vector3, N + 1> p;
-  std::array<double, N + 1> epsilon;
-  double scale = 1.0;
+  std::array<Vector, N + 1> p;
+  std::array<Scalar, N + 1> epsilon;
+  Scalar scale(1.0);
   for (std::size_t k = 1; k <= N; ++k) {
     scale *= inverse;
-    p[k] = scale * jet.c[k];
-    epsilon[k] = scale * jet.error[k] + 16.0 * kUnitRoundoff * p[k].norm();
+    p[k] = c[k] * scale;
+    epsilon[k] = scale * error[k] + Scalar(16.0 * kUnitRoundoff) * detail::normBound(p[k]);
   }
 
-  std::array<double, N> g;  // |P'|^2
-  for (std::size_t k = 0; k < N; ++k) {
-    g[k] = 0.0;
-    for (std::size_t i = 0; i <= k; ++i) {
-      g[k] += static_cast<double>((i + 1) * (k - i + 1)) * p[i + 1].dot(p[k - i + 1]);
+  std::array<Scalar, N> g;  // |P'|^2
+  g[0] = Scalar(1.0);
+  for (std::size_t k = 1; k < N; ++k) {
+    g[k] = Scalar(0.0);
+    for (std::size_t i = 0; 2 * i <= k; ++i) {
+      const double twice = 2 * i == k ? 1.0 : 2.0;
+      g[k] += Scalar(twice * static_cast<double>((i + 1) * (k - i + 1))) * p[i + 1].dot(p[k - i + 1]);
     }
   }
-  g[0] = 1.0;
-  std::array<double, N> f;
-  f[0] = 1.0;
+  std::array<Scalar, N> f;  // 1/|P'|
+  f[0] = Scalar(1.0);
   series::power(g.data(), -0.5, f.data(), N - 1);
-  detail::PowerTable<double, N> power;
-  detail::invertArcLength<double, N>(f, power);
+  detail::PowerTable<Scalar, N> power;
+  detail::invertArcLength<Scalar, N>(f, power);
 
-  std::array<double, N + 1> length;
-  std::array<double, N + 1> error;
-  std::array<Vector3, N + 1> rho;
-  for (std::size_t k = 1; k <= N; ++k) {
-    rho[k] = power[1][k] * p[1];
-    for (std::size_t j = 2; j <= k; ++j) rho[k] += power[j][k] * p[j];
-    length[k] = rho[k].norm();
+  arc.r[1] = p[1];
+  arc.norm[1] = Scalar(1.0);
+  std::array<Scalar, N + 1> length;
+  length[1] = Scalar(1.0);
+  for (std::size_t k = 2; k <= N; ++k) {
+    Vector rho = p[1] * power[1][k];
+    for (std::size_t j = 2; j < k; ++j) rho += p[j] * power[j][k];
+    rho += p[k];  // [s^k] t^k = 1
+    length[k] = sqrt(rho.squaredNorm());
+    const Scalar factorial(detail::kFactorials[k]);
+    arc.r[k] = rho * factorial;
+    arc.norm[k] = length[k] * factorial;
   }
-  detail::propagateErrors<N>(epsilon, power, length, error);
+  detail::propagateErrors<N, Scalar>(epsilon, power, length, arc.error);
 
-  std::array<double, N> h;  // |P'|
+  std::array<Scalar, N> h;  // |P'|
   series::multiply(g.data(), f.data(), h.data(), N - 1);
-  const double growth = detail::nonlinearity(epsilon[1]);
+  const Scalar growth = detail::nonlinearity(epsilon[1]);
   arc.r[0].setZero();
-  arc.norm[0] = arc.error[0] = arc.parameter[0] = arc.arcLength[0] = 0.0;
-  double speedPower = 1.0;
+  arc.norm[0] = arc.error[0] = arc.parameter[0] = arc.arcLength[0] = Scalar(0.0);
+  Scalar speedPower(1.0);
   for (std::size_t k = 1; k <= N; ++k) {
-    arc.r[k] = detail::kFactorials[k] * rho[k];
-    arc.norm[k] = detail::kFactorials[k] * length[k];
-    arc.error[k] = growth * detail::kFactorials[k] * error[k];
+    arc.error[k] *= growth * Scalar(detail::kFactorials[k]);
     arc.parameter[k] = inverse * power[1][k];
     speedPower *= speed;
-    arc.arcLength[k] = speedPower * h[k - 1] / static_cast<double>(k);
+    arc.arcLength[k] = speedPower * h[k - 1] * Scalar(1.0 / static_cast<double>(k));
   }
   return arc;
+}
+
+template <int N>
+[[gnu::always_inline]] inline ArcJet<N> arcJet(const Jet<N>& jet) {
+  return arcJet<N, double>(jet.c, jet.error);
 }
 
 }  // namespace osculate

@@ -20,8 +20,8 @@ Vector3 offTangent(BezierView segment, CurveEnd end, int i, const Vector3& tange
 /// How far rounding can move poles off a line they are on.
 double lineTolerance(BezierView segment, double poleError) {
   double largest = 0.0;
-  for (int i = 0; i <= segment.degree; ++i) largest = std::max(largest, segment.pole(i).norm());
-  return 2.0 * std::max(poleError, 8.0 * kUnitRoundoff * largest);
+  for (int i = 0; i <= segment.degree; ++i) largest = std::max(largest, segment.pole(i).squaredNorm());
+  return 2.0 * std::max(poleError, 8.0 * kUnitRoundoff * std::sqrt(largest));
 }
 
 /// Direction of the first leg that is not zero, outward from the end; zero if there is none.
@@ -53,14 +53,22 @@ std::string_view name(FrameKind kind) {
 
 int linearity(BezierView segment, CurveEnd end, double poleError) {
   const double tolerance = lineTolerance(segment, poleError);
-  const Vector3 tangent = firstLeg(segment, end, tolerance);
-  // the direction itself is only known to tolerance over the length of the leg that gives it
-  double reach = 0.0;
+  const double squaredTolerance = tolerance * tolerance;
+  const Vector3 join = segment.pole(fromEnd(segment, end, 0));
+  Vector3 first = Vector3::Zero();  // the first leg that is not zero gives the tangent
+  double firstSquared = 0.0;
   for (int i = 1; i <= segment.degree; ++i) {
-    const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
-    if (reach == 0.0) reach = leg.norm();
-    const double growth = reach > 0.0 ? 1.0 + leg.norm() / reach : 1.0;
-    if (offTangent(segment, end, i, tangent).norm() > tolerance * growth) return i - 1;
+    const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - join;
+    const double squared = leg.squaredNorm();
+    if (firstSquared == 0.0) {
+      if (squared <= squaredTolerance) continue;
+      first = leg;
+      firstSquared = squared;
+      continue;
+    }
+    // distance from the line against the tolerance, which grows with the distance along the line as
+    // the direction is only known to tolerance over the first leg: (1 + x)^2 <= 2 (1 + x^2)
+    if (leg.cross(first).squaredNorm() > 2.0 * squaredTolerance * (firstSquared + squared)) return i - 1;
   }
   return segment.degree;
 }

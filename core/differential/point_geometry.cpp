@@ -38,31 +38,29 @@ PointGeometry geometryAt(const BSplineCurve& curve, double t, Side side) {
   constexpr int kOrder = 4;
   const CutSegment cut = cutAt(curve, t, side);
   const BezierView view = cut.curve.view();
-  const bool arrives = cut.end == CurveEnd::kEnd;
+  const double sign = cut.end == CurveEnd::kEnd ? -1.0 : 1.0;
   const Jet<kOrder> jet = endJet<kOrder>(view, cut.end, cut.poleError);
   const bool singular = isSingular(jet);
 
   PointGeometry result;
   result.point = jet.point;
-  std::array<Vector3, 5> r;
+  TravelJet<double> r;
   double curvatureError = 0.0;
   if (singular) {
-    const auto arc = singularEnd(view, cut.end, cut.poleError, kOrder);
+    const SingularEnd arc = singularEnd(view, cut.end, cut.poleError, kOrder);
     result.smoothness = arc.smoothness;
-    r = inTravel(arc, arrives);
+    r = inTravel(arc.r, sign);
     curvatureError = arc.error[2];
   } else {
     const auto arc = arcJet(jet);
     result.smoothness = kOrder;
-    r = inTravel(arc, arrives);
+    r = inTravel(arc.r, sign);
     curvatureError = arc.error[2];
   }
   const double flatBelow = std::max(curvatureError, kFlatness / reachFrom(curve, jet.point));
-  const ArcInvariants arc = arcInvariants(r, result.smoothness, flatBelow);
-  result.invariants = arc.invariants;
-  result.frame = arc.frame;
-  if (!arc.frame.normal) {
-    const EndFrame chosen = fictitiousFrame(view, cut.end, arc.frame.tangent, singular, cut.poleError);
+  storeNumbers(arcNumbers(r), 0, result.smoothness, flatBelow, result.frame, result.invariants);
+  if (!result.frame.normal) {
+    const EndFrame chosen = fictitiousFrame(view, cut.end, result.frame.tangent, singular, cut.poleError);
     result.kind = chosen.kind;
     result.frame.tangent = chosen.frame.tangent;
   } else if (singular) {

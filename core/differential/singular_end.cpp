@@ -124,13 +124,13 @@ int smoothnessOf(const RootSeries& series, int m, int order) {
 
 }  // namespace
 
-ArcJet<kMaxArcOrder> singularEnd(BezierView segment, CurveEnd end, double poleError, int order) {
+SingularEnd singularEnd(BezierView segment, CurveEnd end, double poleError, int order) {
   const auto jet = endJet<kLongest>(segment, end, poleError);
-  ArcJet<kMaxArcOrder> arc{};
-  for (Vector3& r : arc.r) r.setZero();
+  SingularEnd arc;
+  arc.r.fill(Vector3::Zero());
+  arc.error.fill(0.0);
   const int m = firstDerivative(jet, segment.degree);
   arc.multiplicity = m;
-  arc.smoothness = 0;
   if (m > segment.degree) return arc;
 
   const UnitCurve curve = unitCurve(jet, m, m * order + m - 1);
@@ -139,7 +139,6 @@ ArcJet<kMaxArcOrder> singularEnd(BezierView segment, CurveEnd end, double poleEr
   const double growth = detail::nonlinearity(curve.epsilon[index(m)]);
   for (int k = 1; k <= arc.smoothness; ++k) {
     arc.r[index(k)] = detail::kFactorials[index(k)] * series.p[index(m * k)];
-    arc.norm[index(k)] = arc.r[index(k)].norm();
     arc.error[index(k)] = growth * detail::kFactorials[index(k)] * series.error[index(m * k)];
   }
   return arc;
