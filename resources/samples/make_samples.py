@@ -85,6 +85,7 @@ def write(path):
             feature = document.addObject("Part::Feature", f"G{order}{part}")
             feature.Shape = edge(poles, SPACING_MM * order)
     document.recompute()
+    path.unlink(missing_ok=True)  # or FreeCAD keeps a backup beside it
     document.saveAs(str(path))
 
 
