@@ -12,7 +12,7 @@ build:          ## the core, the Python module in workbench/osculate, the tests
 
 test: build asan        ## everything: core, Python, FreeCAD, GUI, sanitizers, consumer, demo
 	.ci/setup gui
-	ctest --preset release
+	ctest --preset release -j$(shell nproc)
 
 demo: build     ## analyses real models; report, JSON, CSV, FCStd and picture in demo-output/
 	.ci/setup gui
@@ -39,7 +39,7 @@ asan:           ## the core's tests under AddressSanitizer and UndefinedBehavior
 	.ci/setup build test
 	cmake --preset asan
 	cmake --build --preset asan
-	ctest --preset asan
+	ctest --preset asan -j$(shell nproc)
 
 compat:         ## build and test inside Debian 13 and Debian sid (needs root for chroot)
 	.ci/setup compat
