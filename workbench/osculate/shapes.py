@@ -1,0 +1,146 @@
+"""Between Part shapes and core values: the only file that converts one into the other.
+
+Importing it needs no FreeCAD; a shape can only be at hand once FreeCAD's module Part is loaded.
+
+A shape reaches the core in one of two ways, both exact to the bit where the shape has no placement:
+
+- Part.__toPythonOCC__ (about 3 µs) gives a SWIG proxy of the very same OpenCASCADE shape, whose
+  content the core reads in place. It needs FreeCAD and osculate built with the same SWIG runtime.
+- Where that is missing, Part.Shape.exportBinary writes the edge to a file (about 25 µs in memory).
+  FreeCAD's BREP text is out of the question: it keeps 15 digits.
+"""
+
+import functools
+import os
+import sys
+import tempfile
+
+from osculate import _core
+
+
+def curve_from_edge(edge):
+    """The edge's own part of its curve, placed and oriented as the edge, as a Curve.
+
+    Exact (bit for bit for B-spline and Bézier curves that are neither trimmed, placed nor reversed;
+    conics as rational curves of degree 2), or fitted to rounding with the error in
+    `Curve.pole_error`. The parameter range is the edge's.
+
+    Raises TypeError for what is no edge; ValueError for an edge that is null, degenerated, infinite,
+    of zero length or without geometry; _core.OcctError for what OpenCASCADE throws.
+    """
+    _require_edge(edge, "edge")
+    to_proxy = _proxy_maker()
+    if to_proxy is not None:
+        try:
+            proxy = to_proxy(edge)
+        except sys.modules["Part"].OCCError:
+            pass  # this FreeCAD was built without SWIG or with another runtime of it
+        else:
+            return _core.curve_from_proxy(proxy)
+    return _curve_through_file(edge)
+
+
+def edge_from_curve(curve):
+    """A Part.Edge over the whole curve with the same poles, weights and knots, bit for bit.
+
+    Equal weights become none: FreeCAD drops them. Raises TypeError for what is no Curve, ValueError
+    for a curve torn at a knot (multiplicity degree + 1) and for one that FreeCAD refuses;
+    ImportError where there is no FreeCAD.
+    """
+    if not isinstance(curve, _core.Curve):
+        raise TypeError(f"curve: an osculate.Curve is needed, got {_described(curve)}")
+    import Part
+    multiplicities = curve.multiplicities.tolist()
+    if max(multiplicities[1:-1], default=1) > curve.degree:
+        raise ValueError("curve: is torn at a knot (multiplicity degree + 1), which no edge can be")
+    spline = Part.BSplineCurve()
+    weights = [] if curve.weights is None else [curve.weights.tolist()]
+    try:
+        spline.buildFromPolesMultsKnots([tuple(pole) for pole in curve.poles.tolist()],
+                                        multiplicities, curve.knots.tolist(), curve.is_periodic,
+                                        curve.degree, *weights)
+        return spline.toShape()
+    except Part.OCCError as error:
+        raise ValueError(f"curve: FreeCAD makes no edge of it: {error}") from error
+
+
+def curve_from(value, name):
+    """The Curve itself, or that of an edge; errors speak of the argument as `name`."""
+    if isinstance(value, _core.Curve):
+        return value
+    if not is_edge(value):
+        raise TypeError(f"{name}: a Part.Edge or an osculate.Curve is needed, got "
+                        f"{_described(value)}")
+    try:
+        return curve_from_edge(value)
+    except ValueError as error:
+        raise ValueError(str(error).replace("edge:", f"{name}:", 1)) from None
+
+
+def edges_in_order(wire):
+    """The edges of a Part.Wire from its beginning to its end, each oriented along the wire.
+
+    Raises TypeError for what is no wire, ValueError for a wire whose edges do not hang together in
+    one chain (by shared vertices, no branches).
+    """
+    part = sys.modules.get("Part")
+    if part is None or not isinstance(wire, part.Wire):
+        raise TypeError(f"wire: a Part.Wire is needed, got {_described(wire)}")
+    if wire.isNull():
+        raise ValueError("wire: the shape is null (empty)")
+    edges = wire.OrderedEdges
+    missing = len(wire.Edges) - len(edges)
+    if missing > 0:
+        raise ValueError(f"wire: its edges are no chain; {missing} of {len(wire.Edges)} do not follow "
+                         "from the first ones through shared vertices")
+    return edges
+
+
+def is_edge(value):
+    """Whether the value is a Part.Edge, or a Part.Shape that holds an edge."""
+    part = sys.modules.get("Part")
+    if part is None or not isinstance(value, part.Shape):
+        return False
+    return isinstance(value, part.Edge) or (not value.isNull() and value.ShapeType == "Edge")
+
+
+def _require_edge(value, name):
+    if not is_edge(value):
+        raise TypeError(f"{name}: a Part.Edge is needed, got {_described(value)}")
+
+
+def _described(value):
+    """What a person calls the value, with advice where it is a shape that has edges."""
+    part = sys.modules.get("Part")
+    if part is None or not isinstance(value, part.Shape):
+        return f"{type(value).__module__}.{type(value).__name__}".replace("builtins.", "")
+    if value.isNull():
+        return "a null shape"
+    kind = value.ShapeType.lower()
+    advice = " (take one of its Edges)" if value.Edges else ""
+    return f"a {kind} instead of an edge{advice}"
+
+
+@functools.cache
+def _proxy_maker():
+    """Part.__toPythonOCC__ where osculate was built with SWIG, else None."""
+    if not hasattr(_core, "register_shape_type"):
+        return None
+    _core.register_shape_type()
+    return getattr(sys.modules["Part"], "__toPythonOCC__", None)
+
+
+def _curve_through_file(edge):
+    handle, path = tempfile.mkstemp(suffix=".bin", dir=_fast_folder())
+    os.close(handle)
+    try:
+        edge.exportBinary(path)
+        return _core.curve_from_binary(path)
+    finally:
+        os.remove(path)
+
+
+@functools.cache
+def _fast_folder():
+    """A folder in memory where the system has one (ten times as fast as a disk), else None."""
+    return "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
