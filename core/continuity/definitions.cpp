@@ -127,8 +127,10 @@ void setDefinitions(const Tolerances& tolerances, JoinReport& report) {
   if (report.requestedOrder >= 2) setCurvatureDefinitions(facts, all);
   if (report.requestedOrder < 3) return;
   setThirdOrderDefinitions(facts, all);
+  // C^3 or the first lower order that fails
+  const auto order = static_cast<std::size_t>(std::min(report.parametricOrder + 1, 3));
   all[static_cast<std::size_t>(Definition::kC3)] = {
-      report.parametricOrder >= 3 ? Verdict::kPass : Verdict::kFail, report.parametricResiduals[3], tolerances.third};
+      report.parametricOrder >= 3 ? Verdict::kPass : Verdict::kFail, report.parametricResiduals[order], tolerances.third};
 }
 
 }  // namespace osculate

@@ -10,20 +10,25 @@ namespace {
 
 using kernel::Ends;
 
-/// The derivatives 0..4 in the direction of travel as rows, in the frame.
+/// The derivatives 0..4 of both sides in the direction of travel as rows, in the frame.
 template <int N>
-void setDerivatives(const Jet<N>& jet, double sign, const Vector3& origin, const FrenetFrame& frame,
-                    Eigen::Matrix<double, 5, 3>& rows) {
-  const auto set = [&](int row, double factor, const Vector3& v) {
-    rows(row, 0) = factor * v.dot(frame.tangent);
-    rows(row, 1) = factor * v.dot(*frame.normal);
-    rows(row, 2) = factor * v.dot(*frame.binormal);
-  };
-  set(0, 1.0, jet.point - origin);
-  set(1, sign, jet.c[1]);
-  set(2, 2.0, jet.c[2]);
-  set(3, 6.0 * sign, jet.c[3]);
-  set(4, 24.0, jet.c[4]);
+[[gnu::always_inline]] inline void setDerivatives(const Ends<N>& ends, JoinReport& report) {
+  const FrenetFrame& frame = report.frame;
+  const LanesVector axes[3] = {frame.tangent.cast<Lanes>(), frame.normal->cast<Lanes>(),
+                               frame.binormal->cast<Lanes>()};
+  const Vector3 offset = ends.jets[1].point - ends.jets[0].point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto set = [&](int row, const LanesVector& derivative, Lanes factor) {
+      const Lanes component = factor * derivative.dot(axes[axis]);
+      report.derivativesInFrame[0](row, axis) = component[0];
+      report.derivativesInFrame[1](row, axis) = component[1];
+    };
+    set(0, zip(Vector3::Zero(), offset), Lanes(1.0));
+    set(1, ends.c[1], Lanes(-1.0, 1.0));
+    set(2, ends.c[2], Lanes(2.0));
+    set(3, ends.c[3], Lanes(-6.0, 6.0));
+    set(4, ends.c[4], Lanes(24.0));
+  }
 }
 
 /// beta(t) = t_first(s_second(t)): equal arc lengths on both sides, as a truncated series.
@@ -65,7 +70,7 @@ template <int N>
   out.point = ends.jets[i].point;
   out.multiplicity = ends.multiplicity[i];
   out.smoothness = ends.multiplicity[i] > 1 ? ends.smoothness[i] : kMaxOrder;
-  out.linearity = linearity(side.segment, side.end, side.poleError);
+  out.linearity = legsOnTangent(side.segment, side.end, lineTolerance(ends.jets[i].size, side.poleError));
   const double flatBelow = std::max(ends.arc.error[2][lane], kFlatness / report.scaleMm);
   storeNumbers(numbers, lane, ends.smoothness[i], flatBelow, out.frame, out.invariants);
 }
@@ -141,7 +146,7 @@ JoinReport analyze(const JoinSide& arriving, const JoinSide& leaving, const Anal
   for (int k = 0; k <= options.order; ++k) {
     report.tolerances[static_cast<std::size_t>(k)] = options.tolerances.ofOrder(k);
   }
-  const Ends<N> ends = kernel::makeEnds<N>(arriving, leaving);
+  const Ends<N> ends(arriving, leaving);
   kernel::decide(ends, arriving, leaving, report.scaleMm, options, report);
   if (ends.regular()) {
     report.betaCount = betaCount(report);
@@ -151,9 +156,7 @@ JoinReport analyze(const JoinSide& arriving, const JoinSide& leaving, const Anal
   describeSide(arriving, ends, numbers, 0, report);
   describeSide(leaving, ends, numbers, 1, report);
   setFrame(arriving, report);
-  const Vector3& origin = ends.jets[0].point;
-  setDerivatives(ends.jets[0], -1.0, origin, report.frame, report.derivativesInFrame[0]);
-  setDerivatives(ends.jets[1], 1.0, origin, report.frame, report.derivativesInFrame[1]);
+  setDerivatives(ends, report);
   setDeviation(ends, numbers, report);
   setDefinitions(options.tolerances, report);
   setWarnings(ends, {arriving.segment, leaving.segment}, report);
@@ -164,7 +167,7 @@ template <int N>
 JoinDecision decision(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
   JoinDecision result;
   const double scale = kernel::scaleOf(arriving, leaving, options);
-  kernel::decide(kernel::makeEnds<N>(arriving, leaving), arriving, leaving, scale, options, result);
+  kernel::decide(Ends<N>(arriving, leaving), arriving, leaving, scale, options, result);
   return result;
 }
 

@@ -20,9 +20,13 @@ inline constexpr double kDegrees = 180.0 / std::numbers::pi;
 template <int N>
 struct Ends {
   std::array<Jet<N>, 2> jets;
+  std::array<LanesVector, N + 1> c;  ///< Taylor coefficients of both
+  std::array<Lanes, N + 1> error;    ///< bounds of their errors
   ArcJet<N, Lanes> arc;
   std::array<int, 2> multiplicity{1, 1};
   std::array<int, 2> smoothness{N, N};
+
+  [[gnu::always_inline]] inline Ends(const JoinSide& arriving, const JoinSide& leaving);
 
   bool regular() const { return multiplicity[0] == 1 && multiplicity[1] == 1; }
   int commonSmoothness() const { return std::min(smoothness[0], smoothness[1]); }
@@ -48,21 +52,18 @@ template <int N>
 }
 
 template <int N>
-[[gnu::always_inline]] inline Ends<N> makeEnds(const JoinSide& arriving, const JoinSide& leaving) {
-  Ends<N> ends;
-  ends.jets[0] = endJet<N>(arriving.segment, arriving.end, arriving.poleError);
-  ends.jets[1] = endJet<N>(leaving.segment, leaving.end, leaving.poleError);
-  const auto& [a, b] = ends.jets;
-  std::array<LanesVector, N + 1> c;
-  std::array<Lanes, N + 1> error;
+inline Ends<N>::Ends(const JoinSide& arriving, const JoinSide& leaving)
+    : jets{endJet<N>(arriving.segment, arriving.end, arriving.poleError),
+           endJet<N>(leaving.segment, leaving.end, leaving.poleError)} {
+  const auto& [a, b] = jets;
+#pragma GCC unroll 8
   for (std::size_t k = 1; k <= N; ++k) {
     c[k] = zip(a.c[k], b.c[k]);
     error[k] = Lanes(a.error[k], b.error[k]);
   }
-  ends.arc = arcJet<N, Lanes>(c, error);
-  if (isSingular(a)) [[unlikely]] replaceSingular(arriving, 0, ends);
-  if (isSingular(b)) [[unlikely]] replaceSingular(leaving, 1, ends);
-  return ends;
+  arc = arcJet<N, Lanes>(c, error);
+  if (isSingular(a)) [[unlikely]] replaceSingular(arriving, 0, *this);
+  if (isSingular(b)) [[unlikely]] replaceSingular(leaving, 1, *this);
 }
 
 inline double scaleOf(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
@@ -111,6 +112,7 @@ template <int N>
       exists < 1 ? 0.0 : std::min(180.0, kDegrees * (arc.error[1][0] + arc.error[1][1]));
   const double inverseScale = 1.0 / scale;
   double least = 1.0;
+#pragma GCC unroll 8
   for (std::size_t k = 2; k <= N; ++k) {
     least *= inverseScale;  // L^(1-k)
     if (static_cast<int>(k) > exists) {
@@ -126,35 +128,33 @@ template <int N>
   }
 }
 
-/// The residuals of C^m: |P^(k) - Q^(k)| / max(|P^(k)|, |Q^(k)|, v^k L^(1-k)), v the larger speed.
+/// The residuals of C^m: |P^(k) - Q^(k)| / max(|P^(k)|, |Q^(k)|, v^k L^(1-k)), v the larger speed,
+/// up to the first that fails.
 template <int N>
-[[gnu::always_inline]] inline int parametricOrder(const Ends<N>& ends, const JoinSide& arriving,
-                                                  const JoinSide& leaving, double scale,
-                                                  const AnalysisOptions& options, JoinDecision& decision) {
+[[gnu::always_inline]] inline void setParametricOrder(const Ends<N>& ends, const JoinSide& arriving,
+                                                      const JoinSide& leaving, double scale,
+                                                      const AnalysisOptions& options, JoinDecision& decision) {
   decision.parametricResiduals[0] = decision.residuals[0];
-  int order = decision.verdicts[0] == Verdict::kPass ? 0 : -1;
-  const auto& [a, b] = ends.jets;
+  decision.parametricOrder = decision.verdicts[0] == Verdict::kPass ? 0 : -1;
   const Lanes perUnit = Lanes(1.0) / Lanes(arriving.span, leaving.span);
   Lanes factor(1.0);
   double least = scale;
   double speedOverScale = 0.0;
-  for (std::size_t k = 1; k <= N && static_cast<int>(k) <= options.order; ++k) {
+  for (std::size_t k = 1; k <= N && decision.parametricOrder == static_cast<int>(k) - 1; ++k) {
+    if (static_cast<int>(k) > options.order) break;
     factor *= perUnit * Lanes(static_cast<double>(k));
-    const LanesVector derivative = zip(a.c[k], b.c[k]) * factor;
+    const LanesVector derivative = ends.c[k] * factor;
     const Lanes squared = derivative.squaredNorm();
     const Lanes roots = sqrt(Lanes(std::max(squared[0], squared[1]), squaredDifference(derivative, k)));
     if (k == 1) speedOverScale = roots[0] / scale;
     least *= speedOverScale;
     const double size = std::max(roots[0], least);
-    const Lanes errors = factor * Lanes(a.error[k], b.error[k]);
+    const Lanes errors = factor * ends.error[k];
     decision.parametricResiduals[k] = size > 0.0 ? roots[1] / size : 0.0;
     const double tolerance = k == 1 ? options.tolerances.angleDegrees / kDegrees
                                     : options.tolerances.ofOrder(static_cast<int>(k));
-    if (order == static_cast<int>(k) - 1 && roots[1] + errors[0] + errors[1] <= tolerance * size) {
-      order = static_cast<int>(k);
-    }
+    if (roots[1] + errors[0] + errors[1] <= tolerance * size) decision.parametricOrder = static_cast<int>(k);
   }
-  return order;
 }
 
 template <int N>
@@ -163,13 +163,15 @@ template <int N>
                                           JoinDecision& decision) {
   setResiduals(ends, scale, decision);
   decision.order = -1;
-  for (int k = 0; k <= N && k <= options.order; ++k) {
+#pragma GCC unroll 9
+  for (int k = 0; k <= N; ++k) {
+    if (k > options.order) break;
     const auto i = static_cast<std::size_t>(k);
     decision.verdicts[i] =
         judge(decision.residuals[i], decision.uncertainties[i], options.tolerances.ofOrder(k));
     if (decision.order == k - 1 && decision.verdicts[i] == Verdict::kPass) decision.order = k;
   }
-  decision.parametricOrder = parametricOrder(ends, arriving, leaving, scale, options, decision);
+  setParametricOrder(ends, arriving, leaving, scale, options, decision);
 }
 
 }  // namespace osculate::kernel

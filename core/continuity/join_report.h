@@ -47,7 +47,8 @@ struct JoinDecision {
   std::array<Verdict, kMaxOrder + 1> verdicts{};
   PerOrder residuals{};      ///< mm, degrees, then dimensionless; infinite where a side has no such derivative
   PerOrder uncertainties{};  ///< bounds of the error of the residuals that doubles carry
-  PerOrder parametricResiduals{};  ///< mm, then dimensionless (order 1 against the angle in radians)
+  /// mm, then dimensionless (order 1 against the angle in radians); up to parametricOrder + 1
+  PerOrder parametricResiduals{};
 };
 
 struct JoinReport : JoinDecision {

@@ -1,5 +1,6 @@
 #include "osculate/continuity/report_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -120,7 +121,8 @@ nlohmann::ordered_json toJson(const CurveJoin& join) {
           {"residuals", perOrder(report.residuals, order)},
           {"tolerances", perOrder(report.tolerances, order)},
           {"uncertainties", perOrder(report.uncertainties, order)},
-          {"parametric_residuals", perOrder(report.parametricResiduals, order)},
+          {"parametric_residuals",
+           perOrder(report.parametricResiduals, std::min(report.parametricOrder + 1, order))},
           {"beta", betas(report)},
           {"scale_mm", report.scaleMm},
           {"deviation", deviation(report.deviation)},

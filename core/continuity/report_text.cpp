@@ -45,10 +45,12 @@ std::string orderRows(const JoinReport& report) {
   for (int k = 0; k <= report.requestedOrder; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const std::string unit(unitOf(k));
-    text += format("  G%d      %-14s%-14s%-14s%-11s%.3g\n", k, amount(report.residuals[i], k).c_str(),
+    const std::string parametric =
+        k <= report.parametricOrder + 1 ? format("%.3g", report.parametricResiduals[i]) : "-";
+    text += format("  G%d      %-14s%-14s%-14s%-11s%s\n", k, amount(report.residuals[i], k).c_str(),
                    (format("%.3g", report.tolerances[i]) + unit).c_str(),
                    (format("%.1e", report.uncertainties[i]) + unit).c_str(), sign(report.verdicts[i]).data(),
-                   report.parametricResiduals[i]);
+                   parametric.c_str());
   }
   return text;
 }

@@ -33,8 +33,10 @@ template <class Scalar, int N>
 [[gnu::always_inline]] inline void invertArcLength(const std::array<Scalar, N>& f, PowerTable<Scalar, N>& power) {
   auto& t = power[1];
   t[1] = f[0];
+  #pragma GCC unroll 8
   for (std::size_t k = 1; k < N; ++k) {
     Scalar sum(0.0);
+    #pragma GCC unroll 8
     for (std::size_t j = 1; j <= k; ++j) {
       if (j > 1) {
         power[j][k] = series::nextPower(t.data(), power[j - 1].data(), static_cast<int>(j), static_cast<int>(k));
@@ -43,6 +45,7 @@ template <class Scalar, int N>
     }
     t[k + 1] = Scalar(1.0 / static_cast<double>(k + 1)) * sum;
   }
+  #pragma GCC unroll 8
   for (std::size_t j = 2; j <= N; ++j) {
     power[j][N] = series::nextPower(t.data(), power[j - 1].data(), static_cast<int>(j), N);
   }
@@ -59,22 +62,27 @@ template <int N, class Scalar>
                                                    std::array<Scalar, N + 1>& error) {
   using std::abs;
   PowerTable<Scalar, N> majorant;
+  #pragma GCC unroll 8
   for (std::size_t k = 1; k <= N; ++k) majorant[1][k] = abs(power[1][k]);
   std::array<Scalar, N + 1> d;
   std::array<Scalar, N + 1> arc;
+  #pragma GCC unroll 8
   for (std::size_t k = 1; k <= N; ++k) {
     d[k] = epsilon[1] * majorant[1][k];
+    #pragma GCC unroll 8
     for (std::size_t j = 2; j <= k; ++j) {
       majorant[j][k] =
           series::nextPower(majorant[1].data(), majorant[j - 1].data(), static_cast<int>(j), static_cast<int>(k));
       d[k] += epsilon[j] * majorant[j][k];
     }
     arc[k] = Scalar(0.0);
+    #pragma GCC unroll 8
     for (std::size_t a = 0; a < k; ++a) {
       const double factor = static_cast<double>((a + 1) * (k - a)) / static_cast<double>(k);
       arc[k] += Scalar(factor) * length[a + 1] * d[k - a];
     }
     error[k] = d[k];
+    #pragma GCC unroll 8
     for (std::size_t i = 0; i < k; ++i) {
       error[k] += Scalar(static_cast<double>(i + 1)) * length[i + 1] * arc[k - i];
     }
@@ -121,6 +129,7 @@ template <int N, class Scalar>
   std::array<Vector, N + 1> p;
   std::array<Scalar, N + 1> epsilon;
   Scalar scale(1.0);
+  #pragma GCC unroll 8
   for (std::size_t k = 1; k <= N; ++k) {
     scale *= inverse;
     p[k] = c[k] * scale;
@@ -129,8 +138,10 @@ template <int N, class Scalar>
 
   std::array<Scalar, N> g;  // |P'|^2
   g[0] = Scalar(1.0);
+  #pragma GCC unroll 8
   for (std::size_t k = 1; k < N; ++k) {
     g[k] = Scalar(0.0);
+    #pragma GCC unroll 8
     for (std::size_t i = 0; 2 * i <= k; ++i) {
       const double twice = 2 * i == k ? 1.0 : 2.0;
       g[k] += Scalar(twice * static_cast<double>((i + 1) * (k - i + 1))) * p[i + 1].dot(p[k - i + 1]);
@@ -146,8 +157,10 @@ template <int N, class Scalar>
   arc.norm[1] = Scalar(1.0);
   std::array<Scalar, N + 1> length;
   length[1] = Scalar(1.0);
+  #pragma GCC unroll 8
   for (std::size_t k = 2; k <= N; ++k) {
     Vector rho = p[1] * power[1][k];
+    #pragma GCC unroll 8
     for (std::size_t j = 2; j < k; ++j) rho += p[j] * power[j][k];
     rho += p[k];  // [s^k] t^k = 1
     length[k] = sqrt(rho.squaredNorm());
@@ -163,6 +176,7 @@ template <int N, class Scalar>
   arc.r[0].setZero();
   arc.norm[0] = arc.error[0] = arc.parameter[0] = arc.arcLength[0] = Scalar(0.0);
   Scalar speedPower(1.0);
+  #pragma GCC unroll 8
   for (std::size_t k = 1; k <= N; ++k) {
     arc.error[k] *= growth * Scalar(detail::kFactorials[k]);
     arc.parameter[k] = inverse * power[1][k];

@@ -17,11 +17,11 @@ Vector3 offTangent(BezierView segment, CurveEnd end, int i, const Vector3& tange
   return leg - leg.dot(tangent) * tangent;
 }
 
-/// How far rounding can move poles off a line they are on.
-double lineTolerance(BezierView segment, double poleError) {
+/// Largest distance of a pole from the origin.
+double sizeOf(BezierView segment) {
   double largest = 0.0;
   for (int i = 0; i <= segment.degree; ++i) largest = std::max(largest, segment.pole(i).squaredNorm());
-  return 2.0 * std::max(poleError, 8.0 * kUnitRoundoff * std::sqrt(largest));
+  return std::sqrt(largest);
 }
 
 /// Direction of the first leg that is not zero, outward from the end; zero if there is none.
@@ -51,8 +51,7 @@ std::string_view name(FrameKind kind) {
   return "";
 }
 
-int linearity(BezierView segment, CurveEnd end, double poleError) {
-  const double tolerance = lineTolerance(segment, poleError);
+int legsOnTangent(BezierView segment, CurveEnd end, double tolerance) {
   const double squaredTolerance = tolerance * tolerance;
   const Vector3 join = segment.pole(fromEnd(segment, end, 0));
   Vector3 first = Vector3::Zero();  // the first leg that is not zero gives the tangent
@@ -75,7 +74,7 @@ int linearity(BezierView segment, CurveEnd end, double poleError) {
 
 EndFrame fictitiousFrame(BezierView segment, CurveEnd end, const Vector3& tangent, bool singular,
                          double poleError) {
-  const double tolerance = lineTolerance(segment, poleError);
+  const double tolerance = lineTolerance(sizeOf(segment), poleError);
   Vector3 direction = tangent;
   if (direction.isZero(0.0)) {
     direction = firstLeg(segment, end, tolerance);
@@ -84,7 +83,7 @@ EndFrame fictitiousFrame(BezierView segment, CurveEnd end, const Vector3& tangen
   }
   EndFrame result;
   result.frame.tangent = direction;
-  const int legs = linearity(segment, end, poleError);
+  const int legs = legsOnTangent(segment, end, tolerance);
   const bool straight = legs == segment.degree;
   const Vector3 normal =
       straight ? lineNormal(direction) : Vector3(offTangent(segment, end, legs + 1, direction).normalized());

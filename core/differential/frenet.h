@@ -1,6 +1,7 @@
 // The Frenet frame, curvature, torsion and their rates from arc-length derivatives.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "osculate/bezier/bezier_curve.h"
@@ -37,8 +38,14 @@ struct EndFrame {
   FrameKind kind = FrameKind::kFrenet;
 };
 
-/// Legs of the control polygon, counted from the end, that lie on the tangent line there.
-int linearity(BezierView segment, CurveEnd end, double poleError = 0.0);
+/// How far rounding, or an error of the poles, can move poles of this size off a line they are on.
+inline double lineTolerance(double size, double poleError) {
+  return 2.0 * std::max(poleError, 8.0 * kUnitRoundoff * size);
+}
+
+/// Legs of the control polygon, counted from the end, that lie on the tangent line there to a
+/// tolerance in mm. All legs of a straight segment do.
+int legsOnTangent(BezierView segment, CurveEnd end, double tolerance);
 
 /// The frame where curvature gives none: outward tangent known, normal from the first leg off it.
 /// The tangent points in the direction of travel, the frame is right-handed.
