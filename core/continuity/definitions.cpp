@@ -75,6 +75,10 @@ double relative(double a, double b, double least) {
 
 /// atan(a) - atan(b) in degrees.
 double graphAngle(double a, double b) {
+  const double tangent = std::abs((a - b) / (1.0 + a * b));
+  const double squared = tangent * tangent;
+  // rates in 1/mm^2 are small as a rule: three terms of the series are exact below 1e-3
+  if (squared < 1e-6) return kernel::kDegrees * tangent * (1.0 - squared * (1.0 / 3 - squared * (1.0 / 5)));
   return kernel::kDegrees * std::abs(std::atan2(a - b, 1.0 + a * b));
 }
 

@@ -61,7 +61,7 @@ inline Ends<N>::Ends(const JoinSide& arriving, const JoinSide& leaving)
     c[k] = zip(a.c[k], b.c[k]);
     error[k] = Lanes(a.error[k], b.error[k]);
   }
-  arc = arcJet<N, Lanes>(c, error);
+  setArcJet<N, Lanes>(c, error, arc);
   if (isSingular(a)) [[unlikely]] replaceSingular(arriving, 0, *this);
   if (isSingular(b)) [[unlikely]] replaceSingular(leaving, 1, *this);
 }

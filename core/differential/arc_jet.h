@@ -117,11 +117,10 @@ inline bool isSingular(const Jet<N>& jet) {
 /// Arc-length derivatives from Taylor coefficients c_1 .. c_N of a regular end and bounds of their
 /// errors: t(s) is found from dt/ds = 1/|P'| as a series and put into P.
 template <int N, class Scalar>
-[[gnu::always_inline]] inline ArcJet<N, Scalar> arcJet(const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& c,
-                                                       const std::array<Scalar, N + 1>& error) {
+[[gnu::always_inline]] inline void setArcJet(const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& c,
+                                             const std::array<Scalar, N + 1>& error, ArcJet<N, Scalar>& arc) {
   using std::sqrt;
   using Vector = Eigen::Matrix<Scalar, 3, 1>;
-  ArcJet<N, Scalar> arc;
   const Scalar speed = sqrt(c[1].squaredNorm());
   const Scalar inverse = Scalar(1.0) / speed;
 
@@ -183,12 +182,13 @@ template <int N, class Scalar>
     speedPower *= speed;
     arc.arcLength[k] = speedPower * h[k - 1] * Scalar(1.0 / static_cast<double>(k));
   }
-  return arc;
 }
 
 template <int N>
 [[gnu::always_inline]] inline ArcJet<N> arcJet(const Jet<N>& jet) {
-  return arcJet<N, double>(jet.c, jet.error);
+  ArcJet<N> arc;
+  setArcJet<N, double>(jet.c, jet.error, arc);
+  return arc;
 }
 
 }  // namespace osculate
