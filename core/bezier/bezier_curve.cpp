@@ -30,6 +30,14 @@ NetPoint evaluateNet(Net net, double t) {
   return net.col(0);
 }
 
+/// The curve of a part of another; a part beyond [0, 1] can have weights that no curve has.
+BezierCurve partFromNet(const Net& net) {
+  if (net.rows() == 4 && !(net.row(3).array() > 0.0).all()) {
+    throw std::invalid_argument("t: beyond [0, 1] this rational curve has weights <= 0");
+  }
+  return fromNet(net);
+}
+
 /// The net of the derivative: n (b_{i+1} - b_i), one column less.
 Net derivativeNet(const Net& net) {
   const Eigen::Index n = net.cols() - 1;
@@ -48,7 +56,7 @@ BezierCurve::BezierCurve(std::span<const Vector3> poles, std::span<const double>
   degree_ = static_cast<int>(poles.size()) - 1;
   rational_ = !weights.empty();
   for (std::size_t i = 0; i < poles.size(); ++i) {
-    Eigen::Map<Vector3>(poles_.data() + 3 * i) = poles[i];
+    setPole(static_cast<int>(i), poles[i]);
     if (rational_) weights_[i] = weights[i];
   }
 }
@@ -70,6 +78,8 @@ std::span<const double> weightsOf(BezierView view) {
 
 BezierCurve::BezierCurve(BezierView view) : BezierCurve(polesOf(view), weightsOf(view)) {}
 
+void BezierCurve::setPole(int i, const Vector3& pole) { Eigen::Map<Vector3>(poles_.data() + 3 * i) = pole; }
+
 Vector3 BezierCurve::evaluate(double t) const { return project(evaluateNet(toNet(view()), t)); }
 
 std::vector<Vector3> BezierCurve::derivatives(double t, int count) const {
@@ -86,7 +96,14 @@ std::vector<Vector3> BezierCurve::derivatives(double t, int count) const {
   return projectDerivatives(homogeneous);
 }
 
-BezierCurve BezierCurve::reversed() const { return fromNet(toNet(view()).rowwise().reverse()); }
+BezierCurve BezierCurve::reversed() const {
+  BezierCurve turned(*this);
+  for (int i = 0; i <= degree_; ++i) {
+    turned.setPole(i, pole(degree_ - i));
+    if (rational_) turned.weights_[static_cast<std::size_t>(i)] = weight(degree_ - i);
+  }
+  return turned;
+}
 
 BezierCurve BezierCurve::elevated(int times) const {
   if (times < 0 || degree_ + times > kMaxDegree) {
@@ -106,17 +123,25 @@ BezierCurve BezierCurve::elevated(int times) const {
     }
     net = raised;
   }
-  return fromNet(net);
+  BezierCurve raised = fromNet(net);
+  raised.setPole(0, pole(0));
+  raised.setPole(raised.degree_, pole(degree_));
+  return raised;
 }
 
 std::pair<BezierCurve, BezierCurve> BezierCurve::split(double t) const {
-  Net left = toNet(view());
-  Net right;
-  splitNet(left, right, t);
-  return {fromNet(left), fromNet(right)};
+  if (!std::isfinite(t)) throw std::invalid_argument("split: t must be finite");
+  Net leftNet = toNet(view());
+  Net rightNet;
+  splitNet(leftNet, rightNet, t);
+  std::pair<BezierCurve, BezierCurve> parts{partFromNet(leftNet), partFromNet(rightNet)};
+  parts.first.setPole(0, pole(0));
+  parts.second.setPole(degree_, pole(degree_));
+  return parts;
 }
 
 BezierCurve BezierCurve::segment(double a, double b) const {
+  if (!std::isfinite(a) || !std::isfinite(b)) throw std::invalid_argument("segment: a and b must be finite");
   if (a == b) throw std::invalid_argument("segment: a and b must differ, both are " + std::to_string(a));
   if (a > b) return segment(b, a).reversed();
   Net part = toNet(view());
@@ -125,11 +150,11 @@ BezierCurve BezierCurve::segment(double a, double b) const {
     splitNet(part, rest, a);
     part = rest;
     splitNet(part, rest, (b - a) / (1.0 - a));
-    return fromNet(part);
+    return partFromNet(part);
   }
   splitNet(part, rest, b);
   splitNet(part, rest, a / b);
-  return fromNet(rest);
+  return partFromNet(rest);
 }
 
 BezierCurve BezierCurve::transformed(const Eigen::Affine3d& map) const {

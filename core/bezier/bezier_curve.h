@@ -51,15 +51,18 @@ class BezierCurve {
   BezierCurve reversed() const;
   /// The same curve with the degree raised; throws std::invalid_argument above kMaxDegree.
   BezierCurve elevated(int times = 1) const;
-  /// The parts [0, t] and [t, 1], each over [0, 1].
+  /// The parts [0, t] and [t, 1], each over [0, 1]. Throws std::invalid_argument for t that is not
+  /// finite, and where a rational curve is left so far that a weight of a part is not > 0.
   std::pair<BezierCurve, BezierCurve> split(double t) const;
-  /// The part [a, b] over [0, 1]; a > b reverses, a = b throws std::invalid_argument.
+  /// The part [a, b] over [0, 1]; a > b reverses, a = b throws std::invalid_argument, as split does.
   BezierCurve segment(double a, double b) const;
   BezierCurve transformed(const Eigen::Affine3d& map) const;
 
  private:
   friend class BezierBuilder;
   BezierCurve() = default;
+  /// Also keeps end poles from the rounding of a multiplication and division by their weight.
+  void setPole(int i, const Vector3& pole);
 
   std::array<double, 3 * (kMaxDegree + 1)> poles_;
   std::array<double, kMaxDegree + 1> weights_;

@@ -64,6 +64,12 @@ double roundingBound(int passes, double largestNorm) {
   return 4.0 * passes * kUnitRoundoff * largestNorm;
 }
 
+/// The same for numerators w p and weights w: they round as far as the heaviest does and are then
+/// divided by their own weight; the multiplication and the division by it round once more.
+double rationalRoundingBound(int passes, double largestNorm, double heaviest, double lightest) {
+  return roundingBound(1, largestNorm) + 2.0 * heaviest / lightest * roundingBound(passes, largestNorm);
+}
+
 BezierSegment extractPolynomial(const BSplineCurve::State& state, int span, LocalKnots knots) {
   const int p = knots.degree;
   LocalNet<3> q;
@@ -82,18 +88,20 @@ BezierSegment extractRational(const BSplineCurve::State& state, int span, LocalK
   const int p = knots.degree;
   LocalNet<4> q;
   double largest = 0.0;
+  double heaviest = 0.0;
   for (int j = 0; j <= p; ++j) {
     const Eigen::Map<const Vector3> pole(state.poles() + 3 * (span - p + j));
     const double weight = state.weights()[span - p + j];
     q.col(j) << weight * pole, weight;
     largest = std::max(largest, pole.squaredNorm());
+    heaviest = std::max(heaviest, weight);
   }
   const int left = clampLeft<4>(q, knots);
   const int right = clampRight<4>(q, knots);
-  BezierSegment segment{bezierFromHomogeneous(q.data(), p), knots.a(), knots.b(), state.data.poleError};
-  // a multiplication and a division by the weight round beside the combinations
-  segment.poleError += roundingBound(left + right + 1, std::sqrt(largest));
-  return segment;
+  double lightest = heaviest;
+  for (int j = 0; j <= p; ++j) lightest = std::min(lightest, q(3, j));
+  return {bezierFromHomogeneous(q.data(), p), knots.a(), knots.b(),
+          state.data.poleError + rationalRoundingBound(left + right, std::sqrt(largest), heaviest, lightest)};
 }
 
 }  // namespace

@@ -44,6 +44,15 @@ NetPoint raisedBlossom(const BSplineCurve::State& state, int span, std::span<con
   return sum / static_cast<double>(arguments.size());
 }
 
+/// Flat knots of a raised curve that is not periodic: degree+1 knots at or before the first of its
+/// range and at or after the last. More would widen the range of an unclamped curve.
+std::vector<double> raisedFlatKnots(const BSplineData& raised, double first, double last) {
+  const std::vector<double> flat = flatten(raised.knots);
+  const auto begin = std::upper_bound(flat.begin(), flat.end(), first) - raised.degree - 1;
+  const auto end = std::lower_bound(flat.begin(), flat.end(), last) + raised.degree + 1;
+  return {begin, end};
+}
+
 }  // namespace
 
 BSplineCurve BSplineCurve::reversed() const {
@@ -75,7 +84,9 @@ BSplineCurve BSplineCurve::elevated(int times) const {
   BSplineData raised = state_->data;
   raised.degree += 1;
   for (int& multiplicity : raised.knots.multiplicities) ++multiplicity;
-  const std::vector<double> flat = isPeriodic() ? periodicFlatKnots(raised, 1) : flatten(raised.knots);
+  const std::vector<double> flat =
+      isPeriodic() ? periodicFlatKnots(raised, 1) : raisedFlatKnots(raised, first(), last());
+  if (!isPeriodic()) raised.knots = compress(flat);
   const auto degree = static_cast<std::size_t>(raised.degree);
   Eigen::Index count = static_cast<Eigen::Index>(flat.size()) - raised.degree - 1;
   if (isPeriodic()) count -= raised.degree + 1 - raised.knots.multiplicities.front();
