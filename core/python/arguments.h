@@ -1,0 +1,54 @@
+// From Python arguments to core values, with errors that name the argument; private to this floor.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+
+#include "osculate/continuity/curve_joins.h"
+#include "osculate/python/bindings.h"
+
+namespace osculate::python {
+
+/// Contiguous float64.
+using Array = py::array_t<double, py::array::c_style>;
+
+// All of these raise TypeError for what is of the wrong kind and ValueError for a wrong shape or
+// value.
+
+/// An array of numbers; a copy only where the argument is no contiguous float64 array.
+Array arrayFrom(const py::object& value, const char* argument);
+/// Shape (m, 3).
+Poles polesFrom(const py::object& value, const char* argument);
+/// Shape (count,); None gives an empty vector.
+std::vector<double> weightsFrom(const py::object& value, Eigen::Index count);
+/// Shape (m,).
+std::vector<double> numbersFrom(const py::object& value, const char* argument);
+std::vector<int> integersFrom(const py::object& value, const char* argument);
+double numberFrom(const py::object& value, const char* argument);
+int integerFrom(const py::object& value, const char* argument);
+/// "left" or "right".
+Side sideFrom(const py::object& value);
+/// None, or a pair of "start" and "end".
+std::optional<JoinEnds> endsFrom(const py::object& value);
+/// None, a Tolerances, or the name of a preset.
+Tolerances tolerancesFrom(const py::object& value);
+AnalysisOptions optionsFrom(const py::object& order, const py::object& tolerances,
+                            const py::object& scaleMm = py::none());
+/// None or a callable. The result may be called without the GIL: it takes the GIL, lets Ctrl-C
+/// through, calls, and goes on unless the callable returns something false other than None.
+Progress progressFrom(const py::object& callback);
+
+const char* name(CurveEnd end);
+
+/// Throws std::invalid_argument unless t is within the curve's range.
+void checkParameter(const BSplineCurve& curve, double t);
+/// The segment over [0, 1]; nothing where it is a single point.
+std::optional<BSplineCurve> asCurve(const BezierSegment& segment);
+
+/// An array that owns a copy of `data`.
+Array arrayOf(const double* data, std::vector<py::ssize_t> shape);
+
+}  // namespace osculate::python

@@ -1,0 +1,19 @@
+// One function for each part of the module; private to this floor.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace osculate::python {
+
+namespace py = pybind11;
+
+void bindBezier(py::module_& m);
+void bindDifferential(py::module_& m);
+void bindTolerances(py::module_& m);
+void bindSide(py::module_& m);
+void bindReport(py::module_& m);
+void bindContinuity(py::module_& m);
+void bindBatch(py::module_& m);
+void bindOcct(py::module_& m);
+
+}  // namespace osculate::python

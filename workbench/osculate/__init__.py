@@ -1,0 +1,27 @@
+"""Osculate: the geometric continuity G0 to G4 (and up to G8) of curves, and by how much it fails.
+
+Works in FreeCADCmd, in FreeCAD's Python console and, with Curve values only, in plain Python:
+
+    import osculate
+    report = osculate.analyze(shape.Edges[0], shape.Edges[1])
+    print(report)                        # the table
+    print(report.order, report.residuals)
+
+Lengths are in mm, angles in degrees. Values are immutable and safe to share between threads.
+"""
+
+import osculate._compiled  # noqa: F401  (first: it says what to do where _core does not load)
+from osculate._core import (
+    MAX_ORDER, Curve, DefinitionDetail, FrenetFrame, JoinReport, JoinSide, JoinWarning,
+    PointGeometry, TolerancePreset, Tolerances, __version__)
+from osculate.analysis import (
+    VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins)
+from osculate.errors import ContactError
+from osculate.export import write_csv, write_json
+
+__all__ = [
+    "ContactError", "Curve", "DefinitionDetail", "FrenetFrame", "JoinBatch", "JoinReport",
+    "JoinSide", "JoinWarning", "MAX_ORDER", "PointGeometry", "TolerancePreset", "Tolerances",
+    "VERDICTS", "__version__", "analyze", "analyze_edge", "analyze_joins", "write_csv",
+    "write_json",
+]
