@@ -10,6 +10,7 @@ from osculate.features.joins import ENDS, JoinPlace
 from osculate.features.tolerance_choice import (
     CUSTOM, ToleranceValues, tolerances_of, values_of)
 
+
 class JoinCheck:
     """Proxy of an App::FeaturePython; what it finds stands in the object's properties.
 
@@ -93,6 +94,14 @@ def place_of(obj):
     """The JoinPlace of a JoinCheck. Raises LinkError if a link is empty."""
     return JoinPlace(EdgeLink.of_property(obj.First), EdgeLink.of_property(obj.Second),
                      ENDS[obj.Ends], obj.Knot)
+
+
+def is_at(obj, place):
+    """Whether a JoinCheck is at a JoinPlace."""
+    try:
+        return place_of(obj) == place
+    except LinkError:
+        return False
 
 
 def tolerances_in(obj):

@@ -24,7 +24,7 @@ ENDS = {
 }
 
 #: Ends of edges that lie within this multiple of the gap tolerance are taken to be meant as a join.
-NEARNESS = 10.0
+NEARNESS = 100.0
 
 
 @dataclass(frozen=True)

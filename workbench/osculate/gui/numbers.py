@@ -3,19 +3,22 @@
 import math
 
 MISSING = "–"
+_SMALL = 1e-3  # smaller numbers are written with a power of ten
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def number(value, digits=4):
-    """`value` with `digits` significant digits, e.g. "0.0125", "-3.2·10⁻⁷"; a dash for None."""
-    if value is None:
+    """`value` with `digits` significant digits, e.g. "0.0125", "−3.2·10⁻⁷"; a dash for None."""
+    if value is None or math.isnan(value):
         return MISSING
-    if math.isinf(value) or math.isnan(value):
-        return "∞" if value > 0 else "−∞" if value < 0 else MISSING
+    if math.isinf(value):
+        return "∞" if value > 0 else "−∞"
     mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
-    if not exponent:
-        return mantissa
-    return f"{mantissa}·10{str(int(exponent)).translate(_SUPERSCRIPTS)}"
+    if 0.0 < abs(value) < _SMALL:
+        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+        mantissa = f"{float(mantissa):.{digits}g}"  # without zeros at the end
+    power = f"·10{str(int(exponent)).translate(_SUPERSCRIPTS)}" if exponent else ""
+    return mantissa.replace("-", "−") + power
 
 
 def quantity(value, unit, digits=4):

@@ -6,12 +6,13 @@ from osculate.gui.qt import QtGui
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 RESOURCES = os.path.join(ROOT, "resources")
+ICONS = os.path.join(RESOURCES, "icons")
 TRANSLATIONS = os.path.join(RESOURCES, "translations")
 
 
 def icon_path(name):
     """The SVG file of an icon, by its name without ending."""
-    return os.path.join(RESOURCES, "icons", name + ".svg")
+    return os.path.join(ICONS, name + ".svg")
 
 
 def icon(name):

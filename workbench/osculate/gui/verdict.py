@@ -41,8 +41,10 @@ def look_of(order, verdicts):
                        f"verdict-g{order}{suffix}")
 
 
-def missing_text(order, verdicts, residuals):
-    """What the join misses in a few words, e.g. "misses G3 by 12.7 %"; empty if nothing."""
+def missing_text(order, verdicts, residuals, short=False):
+    """What the join misses in a few words, e.g. "misses G3 by 12.7 %", short "G3 by 12.7 %";
+    empty if it misses nothing.
+    """
     following = order + 1
     if following >= len(verdicts):
         return ""
@@ -50,8 +52,10 @@ def missing_text(order, verdicts, residuals):
     amount = numbers.residual(following, residuals[following])
     if verdicts[following] == "undecided":
         return translate("Osculate", "{} undecided").format(name)
-    if following == 0:
-        return translate("Osculate", "gap of {}").format(amount)
     if amount == numbers.MISSING:
         return translate("Osculate", "{} does not exist here").format(name)
-    return translate("Osculate", "misses {} by {}").format(name, amount)
+    if following == 0:
+        return amount
+    phrase = translate("Osculate", "{} by {}") if short else translate("Osculate",
+                                                                       "misses {} by {}")
+    return phrase.format(name, amount)

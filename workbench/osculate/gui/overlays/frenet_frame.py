@@ -1,34 +1,48 @@
-"""The Frenet frame of one side: three arrows of a fixed length on the screen, with letters."""
+"""The Frenet frames of both sides: arrows of a fixed length on the screen, with letters."""
+
+import math
 
 from osculate.gui import colors
 from osculate.gui.overlays import nodes, sprites
 from osculate.gui.overlays.pixel_scale import in_pixels
 
-#: How the frame of each side is drawn. The second is longer and dashed, so that both are seen where they agree.
+#: How the frame of each side is drawn: the second longer and dashed, to be seen beside the first.
 _STRETCH = (1.0, 1.35)
 _WIDTH = (3.0, 2.0)
 _PATTERN = (nodes.SOLID, nodes.DASHED)
-_PRIME = ("", "′")
+
+#: Axes of the two frames that agree better carry one letter, not two over each other.
+_SAME_AXIS = math.cos(math.radians(8.0))
 
 
-def frame_node(side, index, length, text_points, lettered=True):
-    """Arrows of `length` pixels at the point of a SideReport; `index` 0: arriving, 1: leaving.
-
-    An axis that does not exist is not drawn.
+def frames_node(sides, length, text_points):
+    """Arrows of `length` pixels at the points of two SideReports; an axis that a side does not
+    have is not drawn.
     """
-    arrows = []
-    for letter, color, axis in zip("tnb", colors.FRAME, (side.tangent, side.normal, side.binormal)):
-        if axis is not None:
-            text = letter + _PRIME[index] if lettered else ""
-            arrows += _arrow(axis, index, length * _STRETCH[index], color, text, text_points)
-    return in_pixels(side.point, *arrows)
+    arrows = ([], [])
+    for letter, color, *axes in zip("tnb", colors.FRAME, _axes(sides[0]), _axes(sides[1])):
+        for index, (axis, text) in enumerate(zip(axes, _letters(letter, *axes))):
+            if axis is not None:
+                arrows[index].extend(_arrow(axis, index, length, color, text, text_points))
+    return nodes.separator(*(in_pixels(side.point, *arrows[index])
+                             for index, side in enumerate(sides)))
+
+
+def _axes(side):
+    return side.tangent, side.normal, side.binormal
+
+
+def _letters(letter, first, second):
+    """The texts at an axis of the first and of the second frame."""
+    if first is not None and second is not None and float(first @ second) > _SAME_AXIS:
+        return "", letter
+    return letter, letter + "′"
 
 
 def _arrow(axis, index, length, color, text, text_points):
-    tip = [length * float(x) for x in axis]
-    base = [(length - 8.0) * float(x) for x in axis]
+    length *= _STRETCH[index]
+    tip, base, beyond = ([(length + more) * float(x) for x in axis] for more in (0.0, -8.0, 12.0))
     yield nodes.colored_polyline([(0.0, 0.0, 0.0), base], color, _WIDTH[index], _PATTERN[index])
     yield nodes.arrow_head(tip, axis, color, 11.0, 4.0)
     if text:
-        beyond = [(length + 12.0) * float(x) for x in axis]
         yield nodes.at(beyond, sprites.letter(text, color, text_points))

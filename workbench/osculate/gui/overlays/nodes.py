@@ -1,4 +1,4 @@
-"""Coin nodes that every overlay is made of: lines with a rim, arrow heads, what cannot be touched."""
+"""Coin nodes that every overlay is made of: lines with a rim, arrow heads, nothing to pick."""
 
 from pivy import coin
 

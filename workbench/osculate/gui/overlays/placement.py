@@ -18,7 +18,7 @@ def in_freest_corner(labels, avoided):
     """One of four labels, made for CORNERS: at each drawing that which is farthest from the
     `avoided` directions, 3-vectors from the point, as the camera sees them.
     """
-    avoided = [coin.SbVec3f(*map(float, direction)) for direction in avoided]
+    avoided = [_unit(direction) for direction in avoided if any(direction)]
 
     def choose(_data, action):
         if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
@@ -37,6 +37,12 @@ def in_freest_corner(labels, avoided):
     node.addChild(chooser)
     node.addChild(switch)
     return node
+
+
+def _unit(direction):
+    vector = coin.SbVec3f(*map(float, direction))
+    vector.normalize()
+    return vector
 
 
 def _angles_on_screen(directions, viewing):

@@ -33,6 +33,11 @@ class SceneOverlay:
         self._scenes = []
         self._document = None
 
+    def forget(self):
+        """The document is closing: its views are gone or going."""
+        self._scenes = []
+        self._document = None
+
     def _enter(self, document_name):
         document = FreeCADGui.getDocument(document_name)
         self._document = document_name

@@ -1,4 +1,4 @@
-"""Small pictures for the 3D view: they keep their size on the screen and carry their own background.
+"""Small pictures for the 3D view: they keep their size and carry their own background.
 
 Each function gives a SoImage that is centred on, or hangs from, the point at which it is placed.
 """

@@ -1,0 +1,15 @@
+"""The commands of Osculate, one a file."""
+
+import FreeCADGui
+
+from osculate.gui.commands.analyze_join import AnalyzeJoin
+
+#: In the order of the toolbar and of the menu.
+COMMANDS = (AnalyzeJoin,)
+
+
+def register():
+    """Makes the commands known to FreeCAD; returns their names."""
+    for command in COMMANDS:
+        FreeCADGui.addCommand(command.name, command())
+    return [command.name for command in COMMANDS]

@@ -1,0 +1,62 @@
+"""Tells a panel, from the event loop, that the model or the selection changed.
+
+FreeCAD calls observers in the middle of its own work, often many times for one step of the user.
+Here every call only starts a timer, so that the panel acts once, afterwards.
+"""
+
+import FreeCAD
+import FreeCADGui
+
+from osculate.gui.qt import QtCore
+
+
+class _Later:
+    """Calls a function once, when the event loop is reached."""
+
+    def __init__(self, function):
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(function)
+
+    def start(self, *_args):
+        self._timer.start(0)
+
+    def stop(self):
+        self._timer.stop()
+
+
+class ModelObserver:
+    """Calls `changed()` after edits of any document, `closed(name)` when a document goes."""
+
+    def __init__(self, changed, closed):
+        self._later = _Later(changed)
+        self._closed = closed
+        self.slotChangedObject = self._later.start
+        self.slotDeletedObject = self._later.start
+        self.slotRecomputedDocument = self._later.start
+        self.slotUndoDocument = self._later.start
+        self.slotRedoDocument = self._later.start
+        FreeCAD.addDocumentObserver(self)
+
+    def slotDeletedDocument(self, document):
+        self._closed(document.Name)
+
+    def stop(self):
+        FreeCAD.removeDocumentObserver(self)
+        self._later.stop()
+
+
+class SelectionObserver:
+    """Calls `changed()` after each change of the selection."""
+
+    def __init__(self, changed):
+        self._later = _Later(changed)
+        self.addSelection = self._later.start
+        self.removeSelection = self._later.start
+        self.setSelection = self._later.start
+        self.clearSelection = self._later.start
+        FreeCADGui.Selection.addObserver(self)
+
+    def stop(self):
+        FreeCADGui.Selection.removeObserver(self)
+        self._later.stop()

@@ -1,0 +1,29 @@
+"""The table of orders: by how much each deviates, what is allowed, and the verdict."""
+
+from osculate.features.join_check import continuity_name
+from osculate.gui import numbers
+from osculate.gui.panel.report_label import ReportLabel
+from osculate.gui.qt import translate
+
+
+class OrderTable(ReportLabel):
+    """One row for each order from 0."""
+
+    def html(self, report):
+        heads = (translate("Osculate", "Order"), translate("Osculate", "Deviation"),
+                 translate("Osculate", "Tolerance"), "")
+        rows = [self._row(report, order) for order in range(len(report.verdicts))]
+        return self.table(heads, rows, (32, 24, 22, 22))
+
+    def _row(self, report, order):
+        return (f"<b>{continuity_name(order)}</b> {self.faint(order_word(order))}",
+                numbers.residual(order, report.residuals[order]),
+                self.faint(numbers.residual(order, report.tolerances[order])),
+                self.verdict(report.verdicts[order]))
+
+
+def order_word(order):
+    """What an order compares."""
+    words = (translate("Osculate", "position"), translate("Osculate", "tangent"),
+             translate("Osculate", "curvature"))
+    return words[order] if order < len(words) else ""

@@ -1,0 +1,50 @@
+"""From what the user selected to links to edges, or to a sentence that says what to select."""
+
+import FreeCADGui
+import Part
+
+from osculate.features.edge_link import EdgeLink, LinkError, edges_of_object
+from osculate.gui.qt import translate
+
+
+def what_to_select():
+    return translate("Osculate", "Select two edges that meet (Ctrl adds the second), the vertex "
+                                 "between them, or a whole wire or sketch.")
+
+
+def selected_links():
+    """Links to all selected edges, each once, in the order of selection.
+
+    Edges count as they are, a vertex for the edges that meet there, an object for all its edges.
+    Raises LinkError for anything else.
+    """
+    links = {}
+    # Resolve mode 0 keeps the path from the outermost App::Part, and with it all placements.
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        for sub in selected.SubElementNames or ("",):
+            links.update(dict.fromkeys(_links_of(selected.Object, sub)))
+    return list(links)
+
+
+def _links_of(obj, sub):
+    path, _, element = sub.rpartition(".")
+    path = path + "." if path else ""
+    if not element:
+        return edges_of_object(obj, path)
+    if element.startswith("Edge"):
+        return [EdgeLink.of(obj, sub)]
+    if element.startswith("Vertex"):
+        return _edges_at_vertex(obj, path, sub)
+    raise LinkError(translate("Osculate", "{} is no edge.").format(EdgeLink.of(obj, sub).label())
+                    + " " + what_to_select())
+
+
+def _edges_at_vertex(obj, path, sub):
+    vertex = Part.getShape(obj, sub, needSubElement=True)
+    links = edges_of_object(obj, path)
+    meeting = [link for link in links if any(vertex.isSame(other) or vertex.Point == other.Point
+                                             for other in link.resolve().Vertexes)]
+    if not meeting:
+        raise LinkError(translate("Osculate", "No edge ends at {}.")
+                        .format(EdgeLink.of(obj, sub).label()))
+    return meeting
