@@ -11,14 +11,18 @@ JoinSide sideOf(const double* poles, const double* weights, int degree, std::siz
   return {{poles + 3 * count * row, weights == nullptr ? nullptr : weights + count * row, degree}, end};
 }
 
-void store(const JoinDecision& decision, const BatchOutput& output, std::size_t row, std::size_t columns) {
-  output.order[row] = static_cast<std::int8_t>(decision.order);
-  output.parametricOrder[row] = static_cast<std::int8_t>(decision.parametricOrder);
-  for (std::size_t k = 0; k < columns; ++k) {
-    output.verdicts[row * columns + k] = static_cast<std::uint8_t>(decision.verdicts[k]);
-    output.residuals[row * columns + k] = decision.residuals[k];
-    output.uncertainties[row * columns + k] = decision.uncertainties[k];
-  }
+/// Where the results of one row go.
+BatchOutput rowOf(const BatchOutput& output, std::size_t row, std::size_t columns) {
+  return {output.order + row, output.parametricOrder + row, output.verdicts + row * columns,
+          output.residuals + row * columns, output.uncertainties + row * columns};
+}
+
+void store(const JoinDecision& decision, std::size_t columns, const BatchOutput& row) {
+  *row.order = static_cast<std::int8_t>(decision.order);
+  *row.parametricOrder = static_cast<std::int8_t>(decision.parametricOrder);
+  for (std::size_t k = 0; k < columns; ++k) row.verdicts[k] = static_cast<std::uint8_t>(decision.verdicts[k]);
+  std::copy_n(decision.residuals.begin(), columns, row.residuals);
+  std::copy_n(decision.uncertainties.begin(), columns, row.uncertainties);
 }
 
 }  // namespace
@@ -36,7 +40,7 @@ std::size_t analyzeBatch(const BatchInput& input, const BatchOutput& output, con
         sideOf(input.firstPoles, input.firstWeights, input.firstDegree, row, CurveEnd::kEnd);
     const JoinSide leaving =
         sideOf(input.secondPoles, input.secondWeights, input.secondDegree, row, CurveEnd::kStart);
-    store(decideJoin(arriving, leaving, options), output, row, columns);
+    store(decideJoin(arriving, leaving, options), columns, rowOf(output, row, columns));
   }
   if (progress) progress(1.0);
   return input.count;

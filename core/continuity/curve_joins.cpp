@@ -27,8 +27,12 @@ JoinSide sideOf(const BezierSegment& segment, CurveEnd end, double reach) {
   return {segment.curve.view(), end, reach, segment.length(), segment.poleError};
 }
 
+/// An error beyond the rounding of an exact conversion.
 void markApproximated(const BSplineCurve& curve, JoinReport& report) {
-  if (curve.poleError() > 0.0) report.warnings.add(Warning::kApproximated);
+  constexpr double kRounding = 1000.0 * kUnitRoundoff;
+  const double size = std::max({curve.endPoint(CurveEnd::kStart).norm(), curve.endPoint(CurveEnd::kEnd).norm(),
+                                curve.middlePoint().norm()});
+  if (curve.poleError() > kRounding * size) report.warnings.add(Warning::kApproximated);
 }
 
 CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds ends,

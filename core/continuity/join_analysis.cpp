@@ -185,21 +185,23 @@ JoinDecision decideJoin(const JoinSide& arriving, const JoinSide& leaving, const
 double reachOf(BezierView segment, CurveEnd end) {
   const int n = segment.degree;
   const double* binomials = detail::kBinomials[static_cast<std::size_t>(n)].data();
-  Vector3 sum = Vector3::Zero();  // of C(n,i) w_i b_i: 2^n times the homogeneous middle point
-  double weights = static_cast<double>(1 << n);
-  if (segment.weights == nullptr) {
-    for (int i = 0; i <= n; ++i) sum += binomials[i] * segment.pole(i);
-  } else {
-    weights = 0.0;
-    for (int i = 0; i <= n; ++i) {
-      const double weight = binomials[i] * segment.weights[i];
-      sum += weight * segment.pole(i);
-      weights += weight;
-    }
+  // sums of C(n,i) w_i and of C(n,i) w_i b_i, 2^n times the homogeneous middle point; by component,
+  // which the compiler makes more of here than of vectors
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double weights = segment.weights == nullptr ? static_cast<double>(1 << n) : 0.0;
+  const double* pole = segment.poles;
+  for (int i = 0; i <= n; ++i, pole += 3) {
+    double factor = binomials[i];
+    if (segment.weights != nullptr) weights += factor *= segment.weights[i];
+    x += factor * pole[0];
+    y += factor * pole[1];
+    z += factor * pole[2];
   }
   const Vector3 join = segment.pole(end == CurveEnd::kStart ? 0 : n);
   const Vector3 other = segment.pole(end == CurveEnd::kStart ? n : 0);
-  const Vector3 middle = sum / weights;
+  const Vector3 middle = Vector3(x, y, z) / weights;
   return std::sqrt(std::max((other - join).squaredNorm(), (middle - join).squaredNorm()));
 }
 

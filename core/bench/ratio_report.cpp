@@ -1,0 +1,72 @@
+// Runs the benchmarks and prints, below Google Benchmark's table, each claim as a ratio to its
+// peer.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+namespace {
+
+/// Our benchmark, the peer's, and the largest ratio ours/peer that is good enough.
+struct Claim {
+  const char* ours;
+  const char* peer;
+  double limit;
+};
+
+constexpr Claim kClaims[] = {
+    {"reportOfBeziers/rational:0", "localAnalysisOfBeziers<GeomAbs_G2>/rational:0", 1.0},
+    {"reportOfBeziers/rational:1", "localAnalysisOfBeziers<GeomAbs_G2>/rational:1", 1.0},
+    {"reportOfBeziers/rational:0", "localAnalysisOfBeziersAllOrders/rational:0", 1.0},
+    {"reportOfSplines/spans:50/rational:0", "localAnalysisOfSplines/spans:50/rational:0", 1.5},
+    {"reportOfSplines/spans:50/rational:1", "localAnalysisOfSplines/spans:50/rational:1", 1.5},
+    {"reportOfSplines/spans:5000/rational:0", "localAnalysisOfSplines/spans:50/rational:0", 1.5},
+    {"reportOfSplines/spans:5000/rational:1", "localAnalysisOfSplines/spans:50/rational:1", 1.5},
+    {"endSegment/spans:50/rational:0", "toBezier/spans:50/rational:0", 0.05},
+    {"endSegment/spans:50/rational:1", "toBezier/spans:50/rational:1", 0.05},
+    {"endSegment/spans:5000/rational:0", "endSegment/spans:50/rational:0", 1.2},
+};
+
+/// Keeps the processor time of each benchmark; of repetitions the median.
+class RatioReporter : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      const bool median = run.run_type == Run::RT_Aggregate && run.aggregate_name == "median";
+      if (!median && (run.run_type == Run::RT_Aggregate || run.repetitions > 1)) continue;
+      times_[run.run_name.str()] = run.GetAdjustedCPUTime();
+      const auto rate = run.counters.find("items_per_second");
+      if (rate != run.counters.end()) rates_[run.run_name.str()] = rate->second;
+    }
+  }
+
+  void printClaims() const {
+    std::printf("\n%-38s %-48s %8s %8s\n", "ours", "peer, same run", "ratio", "at most");
+    for (const Claim& claim : kClaims) {
+      const auto ours = times_.find(claim.ours);
+      const auto peer = times_.find(claim.peer);
+      if (ours == times_.end() || peer == times_.end()) continue;
+      std::printf("%-38s %-48s %8.3f %8.2f\n", claim.ours, claim.peer, ours->second / peer->second,
+                  claim.limit);
+    }
+    for (const auto& [name, rate] : rates_)
+      std::printf("%-38s %.2f million joins a second\n", name.c_str(), rate * 1e-6);
+  }
+
+ private:
+  std::map<std::string, double> times_;
+  std::map<std::string, double> rates_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  RatioReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  reporter.printClaims();
+  benchmark::Shutdown();
+  return 0;
+}
