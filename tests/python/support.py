@@ -1,4 +1,5 @@
 """What the tests of this folder share: curves, and what they may find beside a checkout."""
+import gc
 import os
 import unittest
 from pathlib import Path
@@ -14,6 +15,8 @@ except ImportError:
     FreeCAD = Part = None
 
 SHARED = Path(os.environ.get("OSCULATE_SHARED_DIR", Path(__file__).parents[3] / "shared"))
+
+ALLOWED_GROWTH = 2 ** 20  # bytes; 100,000 leaks of the smallest object are over five of these
 
 needs_freecad = unittest.skipIf(Part is None, "needs FreeCAD's Part module")
 
@@ -56,3 +59,21 @@ def spline(spans, seed=1, periodic=False):
 def circle_then_line():
     """A quarter circle of radius 10 and a line on its end tangent: G1, curvature 0.1 against 0."""
     return quarter_circle(), Curve.bezier([(0, 10, 0), (-10, 10, 0)])
+
+
+def assert_no_growth(case, function, count):
+    """Fails if calling the function `count` times leaves the process with more memory."""
+    for _ in range(count // 10):
+        function()
+    gc.collect()
+    before = _resident_bytes()
+    for _ in range(count):
+        function()
+    gc.collect()
+    case.assertLess(_resident_bytes() - before, ALLOWED_GROWTH)
+
+
+def _resident_bytes():
+    """Memory of this process in RAM."""
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")

@@ -1,6 +1,4 @@
 """Threads, the GIL, progress, stopping, and memory over many analyses."""
-import gc
-import os
 import threading
 import time
 import unittest
@@ -9,13 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from osculate import Curve, analyze, analyze_edge, analyze_joins
-from support import circle_then_line, cubic, spline
-
-
-def resident_bytes():
-    """Memory of this process in RAM."""
-    with open("/proc/self/statm", encoding="ascii") as file:
-        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+from support import assert_no_growth, circle_then_line, cubic, spline
 
 
 class ThreadsTest(unittest.TestCase):
@@ -94,18 +86,6 @@ class ProgressTest(unittest.TestCase):
 
 
 class MemoryTest(unittest.TestCase):
-    ALLOWED_GROWTH = 2 ** 20  # bytes; one small object leaked in each analysis is five of these
-
-    def assert_no_growth(self, analyse, count):
-        for _ in range(count // 10):
-            analyse()
-        gc.collect()
-        before = resident_bytes()
-        for _ in range(count):
-            analyse()
-        gc.collect()
-        self.assertLess(resident_bytes() - before, self.ALLOWED_GROWTH)
-
     def test_100_000_analyses_with_their_attributes(self):
         a, b = circle_then_line()
 
@@ -114,7 +94,7 @@ class MemoryTest(unittest.TestCase):
             return (report.verdicts, report.residuals, report.beta, report.deviation,
                     report.sides[0].normal, report.sides[1].segment, report.warnings)
 
-        self.assert_no_growth(analyse, 100_000)
+        assert_no_growth(self, analyse, 100_000)
 
     def test_reports_as_dict_and_json(self):
         a, b = circle_then_line()
@@ -123,7 +103,7 @@ class MemoryTest(unittest.TestCase):
             report = analyze(a, b)
             return report.to_dict(), report.to_json(), str(report)
 
-        self.assert_no_growth(analyse, 10_000)
+        assert_no_growth(self, analyse, 10_000)
 
     def test_curves_and_their_arrays(self):
         poles = cubic().poles
@@ -132,7 +112,7 @@ class MemoryTest(unittest.TestCase):
             curve = Curve.bezier(poles)
             return curve.poles, curve.evaluate([0, 0.5, 1], 2), curve.split(0.5)
 
-        self.assert_no_growth(make, 20_000)
+        assert_no_growth(self, make, 20_000)
 
     def test_errors(self):
         a, b = circle_then_line()
@@ -141,7 +121,7 @@ class MemoryTest(unittest.TestCase):
             with self.assertRaises(ValueError):
                 analyze(a, b, order=9)
 
-        self.assert_no_growth(fail, 20_000)
+        assert_no_growth(self, fail, 20_000)
 
 
 if __name__ == "__main__":
