@@ -11,6 +11,7 @@ from collections import Counter
 from pathlib import Path
 
 import FreeCAD
+from numpy.linalg import norm
 
 import osculate
 from osculate.features import make_join_check
@@ -56,12 +57,18 @@ def show_near_misses(joins):
     return [(place, report) for _angle, place, report in rows]
 
 
+def apart(joins, distance_mm):
+    """Those of the joins that are not near one before them."""
+    chosen = []
+    for place, report in joins:
+        if all(norm(report.sides[0].point - other.sides[0].point) > distance_mm
+               for _place, other in chosen):
+            chosen.append((place, report))
+    return chosen
+
+
 def show_report(place, report):
     print(f"\n{place.label()}\n{report}")
-
-
-def first_of_order(joins, order):
-    return next(join for join in joins if join[1].order == order)
 
 
 def add_check(document, place):
@@ -84,21 +91,19 @@ def analyse_sample(document):
 
 
 def analyse_part(document):
-    part = models.add_part(document, "SOT428_DPAK.stp", FreeCAD.Placement(
-        FreeCAD.Vector(20, -30, 0), FreeCAD.Rotation()))
+    part = models.add_part(document, "SOT428_DPAK.stp", FreeCAD.Vector(-20, 10, 0))
     joins = timed_joins("SOT428_DPAK.stp", [edges_of_object(part)])
-    arc_to_line = first_of_order(joins, 1)
-    show_report(*arc_to_line)
-    return joins, [arc_to_line]
+    arcs_to_lines = [join for join in joins if join[1].order == 1]
+    show_report(*arcs_to_lines[0])
+    return joins, apart(arcs_to_lines, 3.0)[:4]
 
 
 def analyse_text(document):
-    outline = models.add_text(document, "Osculate", 40, FreeCAD.Placement(
-        FreeCAD.Vector(60, -45, 0), FreeCAD.Rotation()))
+    outline = models.add_text(document, "Osculate", 40, FreeCAD.Vector(10, -60, 0))
     joins = timed_joins("DejaVu Sans, \"Osculate\"", [edges_of_object(outline)])
     missed = show_near_misses(joins)
     show_report(*missed[0])
-    return joins, missed[:3]
+    return joins, apart(missed, 30.0)[:4]
 
 
 def analyse_and_write():

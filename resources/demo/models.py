@@ -19,19 +19,20 @@ def add_sample(document):
     return [(features[f"G{order}a"], features[f"G{order}b"]) for order in range(5)]
 
 
-def add_part(document, name, placement):
+def add_part(document, name, position):
     """One of the STEP models of FreeCAD's Idf module: lines, arcs and B-splines that meet."""
     shape = Part.read(str(PARTS / name))
     feature = _add(document, Path(name).stem, shape)
-    feature.Placement = placement
+    feature.Placement.Base = position
     return feature
 
 
-def add_text(document, text, height_mm, placement):
+def add_text(document, text, height_mm, position):
     """The outline of a text: lines and quadratic B-splines."""
     glyphs = Part.makeWireString(text, f"{FONT.parent}/", FONT.name, height_mm, 0)
-    feature = _add(document, "Outline", Part.makeCompound([wire for glyph in glyphs for wire in glyph]))
-    feature.Placement = placement
+    wires = [wire for glyph in glyphs for wire in glyph]
+    feature = _add(document, "Outline", Part.makeCompound(wires))
+    feature.Placement.Base = position
     return feature
 
 

@@ -1,11 +1,11 @@
-"""Writes continuity_g0_to_g4.FCStd: five pairs of curves whose joins have the orders G0, G1, ... G4.
+"""Writes continuity_g0_to_g4.FCStd: five pairs of curves, joined with the orders G0, G1, ... G4.
 
     freecadcmd resources/samples/make_samples.py
 
-The five first curves are one spatial quintic. The second curves follow from its derivatives P', P'', ...
-by the beta constraints (docs/theory.md, section 3), Q' = b1 P', Q'' = b1^2 P'' + b2 P', ..., up to the
-order of the pair; the next pole is moved off by some millimetres, which ends the contact there. All
-coordinates are sums of powers of two, so that text files keep them exactly.
+The five first curves are one spatial quintic. The second curves follow from its derivatives P',
+P'', ... by the beta constraints (docs/theory.md, section 3), Q' = b1 P', Q'' = b1^2 P'' + b2 P',
+..., up to the order of the pair; the next pole is moved off by some millimetres, which ends the
+contact there. All coordinates are sums of powers of two, so that text files keep them exactly.
 """
 import os
 import sys

@@ -1,4 +1,4 @@
-"""Runs the tests of this folder inside freecadcmd, which itself ends with 0 whatever a script raises."""
+"""Runs the tests of this folder in freecadcmd, which ends with 0 whatever a script raises."""
 import os
 import sys
 import traceback
