@@ -99,13 +99,6 @@ inline Lanes nonlinearity(Lanes relativeError) {
 
 constexpr std::array<double, 9> kFactorials{1, 1, 2, 6, 24, 120, 720, 5040, 40320};
 
-/// The sum of the components' magnitudes: a bound of the norm without a square root.
-template <class Vector>
-[[gnu::always_inline]] inline auto normBound(const Vector& v) {
-  using std::abs;
-  return abs(v.x()) + abs(v.y()) + abs(v.z());
-}
-
 }  // namespace detail
 
 /// True where the first derivative is not to be told from zero.

@@ -22,6 +22,13 @@ struct Jet {
 
 namespace detail {
 
+/// The sum of the components' magnitudes: a bound of the norm without a square root.
+template <class Vector>
+[[gnu::always_inline]] inline auto normBound(const Vector& v) {
+  using std::abs;
+  return abs(v.x()) + abs(v.y()) + abs(v.z());
+}
+
 /// The poles counted from the end.
 struct PolesFromEnd {
   BezierView view;
@@ -77,7 +84,6 @@ template <int N>
                                                   Jet<N>& jet) {
   std::array<Eigen::Vector4d, N + 1> h;
   double largest = 0.0;
-  double spread = 0.0;
   double heaviest = 0.0;
   jet.point = from.pole(0);
   for (int i = 0; i <= used; ++i) {
@@ -86,16 +92,17 @@ template <int N>
     const double weight = from.weight(i);
     h[k] << weight * difference, weight;
     largest = std::max(largest, from.pole(i).squaredNorm());
-    spread = std::max(spread, difference.squaredNorm());
     heaviest = std::max(heaviest, weight);
   }
   jet.size = std::sqrt(largest);
   jet.pointError = std::max(poleError, kUnitRoundoff * jet.size);
-  const double termError = heaviest * (2.0 * jet.pointError + 3.0 * kUnitRoundoff * std::sqrt(spread));
+  // two poles and three roundings of their difference, which is at most twice the size
+  const double termError = heaviest * (2.0 * jet.pointError + 6.0 * kUnitRoundoff * jet.size);
   differences(h.data(), used);
 
   const double inverse = 1.0 / h[0][3];
-  std::array<double, N + 1> norm;
+  std::array<double, N + 1> norm;         // bounds of |c_k|
+  std::array<double, N + 1> weightError;  // of the weight's coefficients and the products with them
   norm[0] = 0.0;
   for (int i = 1; i <= N; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -104,17 +111,17 @@ template <int N>
     if (i <= used) {
       h[k] *= binomial(from.view.degree, i);
       sum = h[k].template head<3>();
-      error = amplification(from.view.degree, i) * termError;
+      const double growth = amplification(from.view.degree, i);
+      error = growth * termError;
+      weightError[k] = kUnitRoundoff * (2.0 * growth * heaviest + 4.0 * std::abs(h[k][3]));
     }
     for (int m = 1; m <= std::min(i, used); ++m) {
       const auto j = static_cast<std::size_t>(m);
       sum -= h[j][3] * jet.c[k - j];
-      const double weightError = 2.0 * amplification(from.view.degree, m) * kUnitRoundoff * heaviest;
-      error += std::abs(h[j][3]) * jet.error[k - j] +
-               (weightError + 4.0 * kUnitRoundoff * std::abs(h[j][3])) * norm[k - j];
+      error += std::abs(h[j][3]) * jet.error[k - j] + weightError[j] * norm[k - j];
     }
     jet.c[k] = inverse * sum;
-    norm[k] = jet.c[k].norm();
+    norm[k] = normBound(jet.c[k]);
     jet.error[k] = inverse * error + 4.0 * kUnitRoundoff * norm[k];
   }
 }
