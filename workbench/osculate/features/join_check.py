@@ -29,6 +29,7 @@ class JoinCheck:
         add_properties(obj)
         obj.SchemaVersion = self.SCHEMA_VERSION
         set_editors(obj)
+        _give_view(obj)  # a check from a script without a GUI has none yet
 
     def onChanged(self, obj, name):
         if name == "Preset" and not FreeCAD.isRestoring():
@@ -70,9 +71,7 @@ def make_join_check(doc, first, second, *, order=4, ends=None, preset="osculate"
     _check_arguments(order, ends, preset, values, knot)
     obj = doc.addObject("App::FeaturePython", name)
     JoinCheck(obj)
-    if FreeCAD.GuiUp:
-        from osculate.gui.join_check_view import JoinCheckView
-        JoinCheckView(obj.ViewObject)
+    _give_view(obj)
     obj.First = first
     obj.Second = second
     configure(obj, order=order, ends=ends, preset=preset, values=values, knot=knot)
@@ -113,6 +112,13 @@ def tolerance_values_in(obj):
     """The five tolerances that a JoinCheck shows."""
     return ToleranceValues(obj.GapTolerance.Value, obj.AngleTolerance.Value,
                            obj.CurvatureTolerance, obj.ThirdTolerance, obj.FourthTolerance)
+
+
+def _give_view(obj):
+    if FreeCAD.GuiUp:
+        from osculate.gui.join_check_view import JoinCheckView
+        if not isinstance(obj.ViewObject.Proxy, JoinCheckView):
+            JoinCheckView(obj.ViewObject)
 
 
 def _check_arguments(order, ends, preset, values, knot):
