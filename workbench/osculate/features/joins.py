@@ -58,12 +58,14 @@ class JoinPlace:
         return inner[self.knot - 1]
 
     def label(self):
-        """What the user calls the join, e.g. "Sketch.Edge1 – Sketch.Edge2"."""
+        """What the user calls the join, e.g. "Sketch.Edge1 – Edge2"."""
         if self.knot:
             return translate("Osculate", "{}, knot {}").format(self.first.label(), self.knot)
         if self.first == self.second:
             return translate("Osculate", "{}, closing").format(self.first.label())
-        return "{} – {}".format(self.first.label(), self.second.label())
+        first, second = self.first.label(), self.second.label()
+        owner, _, edge = second.rpartition(".")
+        return f"{first} – {edge if first.startswith(owner + '.') else second}"
 
 
 def analyze_links(links, order, tolerances):

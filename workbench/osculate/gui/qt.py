@@ -24,13 +24,3 @@ def button_bits(*buttons):
     for button in buttons:
         bits |= int(getattr(button, "value", button))  # Qt 6 enumerations keep it in `value`
     return bits
-
-
-def monospace_font():
-    return QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont)
-
-
-def is_dark(widget):
-    """Whether a widget draws light text on a dark background."""
-    palette = widget.palette()
-    return palette.color(QtGui.QPalette.ColorRole.Window).lightness() < 128

@@ -21,13 +21,13 @@ class ActionsBar(QtWidgets.QWidget):
         self.save = self._button("save", translate("Osculate", "Save…"))
         self.save.setToolTip(translate("Osculate", "Save all joins as CSV or JSON"))
         self.save.clicked.connect(self.save_requested)
-        layout = QtWidgets.QHBoxLayout(self)
+        layout = QtWidgets.QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self.copy)
-        layout.addWidget(self.save)
-        layout.addStretch(1)
+        layout.setSpacing(4)
+        layout.addWidget(self.copy, 0, 0)
+        layout.addWidget(self.save, 0, 1)
         if with_keep:
-            layout.addWidget(self._keep_button())
+            layout.addWidget(self._keep_button(), 1, 0, 1, 2)
 
     def _keep_button(self):
         self.keep = QtWidgets.QPushButton(resources.icon("keep"),
@@ -55,4 +55,6 @@ class ActionsBar(QtWidgets.QWidget):
         button.setIconSize(QtCore.QSize(18, 18))
         button.setText(text)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setSizePolicy(QtWidgets.QSizePolicy.Policy.Expanding,
+                             QtWidgets.QSizePolicy.Policy.Fixed)
         return button

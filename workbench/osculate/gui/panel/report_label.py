@@ -1,11 +1,12 @@
 """A label that shows part of a report as rich text, in colours that fit the widget's background."""
 
 from osculate.gui import colors
-from osculate.gui.qt import Qt, QtCore, QtGui, QtWidgets
+from osculate.gui.qt import Qt, QtCore, QtWidgets
 from osculate.gui.verdict import SYMBOLS, verdict_word
 
-_NAME = ' align="left"'
-_NUMBER = ' align="right" style="white-space:nowrap"'
+_NAME = "text-align:left"
+_NUMBER = "text-align:right; white-space:nowrap"
+_STRIPE = "background-color:rgba(127,127,127,0.16)"
 
 
 class ReportLabel(QtWidgets.QLabel):
@@ -24,18 +25,31 @@ class ReportLabel(QtWidgets.QLabel):
 
     def changeEvent(self, event):
         super().changeEvent(event)
-        if event.type() == QtCore.QEvent.Type.PaletteChange and self._report is not None:
+        if event.type() in (QtCore.QEvent.Type.PaletteChange, QtCore.QEvent.Type.StyleChange):
+            self._write_again()
+
+    def showEvent(self, event):
+        super().showEvent(event)
+        self._write_again()  # a style sheet sets the palette just before
+
+    def _write_again(self):
+        if self._report is not None:
             self.setText(self.html(self._report))
 
     def html(self, report):
         raise NotImplementedError
 
     def is_dark(self):
-        return self.palette().color(QtGui.QPalette.ColorRole.Window).lightness() < 128
+        """Whether text is light on dark: style sheets tell only the colour of the text."""
+        return self._text_color().lightness() > 128
 
     def faint(self, text):
-        """Rich text in a colour between text and background."""
-        return f'<span style="color:{self._mixed(0.62)}">{text}</span>'
+        """Rich text that stands back."""
+        red, green, blue = self._text_color().getRgb()[:3]
+        return f'<span style="color:rgba({red},{green},{blue},0.65)">{text}</span>'
+
+    def _text_color(self):
+        return self.palette().color(self.foregroundRole())
 
     def verdict(self, verdict, with_word=True):
         """Rich text of a verdict: symbol, word and colour; faint where there is none."""
@@ -49,20 +63,13 @@ class ReportLabel(QtWidgets.QLabel):
         """A table; the first column is left-aligned, the others right. `widths` in percent."""
         lines = [self._line("th", [self.faint(head) for head in heads], widths, "")]
         for number, row in enumerate(rows):
-            stripe = f' bgcolor="{self._mixed(0.06)}"' if number % 2 == 0 else ""
-            lines.append(self._line("td", row, widths, stripe))
+            lines.append(self._line("td", row, widths, "" if number % 2 else _STRIPE))
         return f'<table width="100%" cellspacing="0" cellpadding="3">{"".join(lines)}</table>'
 
     @staticmethod
-    def _line(kind, texts, widths, stripe):
-        cells = [f'<{kind} width="{width}%"{_NUMBER if column else _NAME}{stripe}>{text}</{kind}>'
-                 for column, (text, width) in enumerate(zip(texts, widths))]
-        return f'<tr>{"".join(cells)}</tr>'
-
-    def _mixed(self, share):
-        """"#rrggbb" of so much of the text's colour in that of the background."""
-        palette = self.palette()
-        text = palette.color(QtGui.QPalette.ColorRole.WindowText).getRgb()
-        back = palette.color(QtGui.QPalette.ColorRole.Window).getRgb()
-        return "#{:02x}{:02x}{:02x}".format(*(round(share * one + (1.0 - share) * other)
-                                              for one, other in zip(text[:3], back[:3])))
+    def _line(kind, texts, widths, look):
+        # The inner div keeps Qt from painting a half-clear background again under the text.
+        return "<tr>{}</tr>".format("".join(
+            f'<{kind} width="{width}%" style="{look}">'
+            f'<div style="{_NUMBER if column else _NAME}">{text}</div></{kind}>'
+            for column, (text, width) in enumerate(zip(texts, widths))))
