@@ -1,5 +1,4 @@
 // Many joins of Bézier segments in arrays.
-#include <cmath>
 #include <stdexcept>
 
 #include "osculate/continuity/batch.h"
@@ -19,6 +18,14 @@ struct BatchSide {
   const double* weightData() const { return weights ? weights->data() : nullptr; }
 };
 
+Eigen::Map<const Eigen::ArrayXd> valuesOf(const Array& array) {
+  return {array.data(), array.size()};
+}
+
+/// 0 times infinity or NaN is NaN; as a sum it is several times as fast as one test for each
+/// number.
+bool allFinite(const Array& array) { return (0.0 * valuesOf(array)).sum() == 0.0; }
+
 void checkPoles(const Array& poles, const std::string& argument) {
   if (poles.ndim() != 3 || poles.shape(2) != 3) {
     throw std::invalid_argument(argument + ": must have the shape (N, n+1, 3)");
@@ -28,9 +35,8 @@ void checkPoles(const Array& poles, const std::string& argument) {
                                 " poles for each segment are needed, got " +
                                 std::to_string(poles.shape(1)));
   }
-  for (const double* p = poles.data(); p != poles.data() + poles.size(); ++p) {
-    if (!std::isfinite(*p))
-      throw std::invalid_argument(argument + ": every coordinate must be finite");
+  if (!allFinite(poles)) {
+    throw std::invalid_argument(argument + ": every coordinate must be finite");
   }
 }
 
@@ -39,10 +45,9 @@ void checkWeights(const Array& weights, const Array& poles, const std::string& a
       weights.shape(1) != poles.shape(1)) {
     throw std::invalid_argument(argument + ": must have the shape (N, n+1), one for each pole");
   }
-  for (const double* w = weights.data(); w != weights.data() + weights.size(); ++w) {
-    if (!(std::isfinite(*w) && *w > 0.0)) {
-      throw std::invalid_argument(argument + ": every weight must be finite and > 0");
-    }
+  const bool isPositive = weights.size() == 0 || valuesOf(weights).minCoeff() > 0.0;
+  if (!(isPositive && allFinite(weights))) {
+    throw std::invalid_argument(argument + ": every weight must be finite and > 0");
   }
 }
 
