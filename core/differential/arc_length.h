@@ -5,7 +5,8 @@
 
 namespace osculate {
 
-/// Length in mm, to a relative error of about 1e-12 (adaptive Gauss-Kronrod per Bézier segment).
+/// Length in mm, to a relative error of about 1e-12 (adaptive Gauss-Kronrod per Bézier segment); of
+/// about 1e-11 where the curve turns back on itself, as its speed has a kink there.
 double length(const BSplineCurve& curve);
 /// Length of the part [a, b], a <= b inside the range.
 double length(const BSplineCurve& curve, double a, double b);
