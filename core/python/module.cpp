@@ -1,6 +1,17 @@
 // The compiled half of the Python package `osculate`.
 #include "osculate/python/bindings.h"
 
+namespace {
+
+/// Help, errors and pickles name the classes by the package that offers them.
+void showAsPublic(const pybind11::module_& m) {
+  for (const auto& [name, value] : pybind11::dict(m.attr("__dict__"))) {
+    if (PyType_Check(value.ptr()) != 0) value.attr("__module__") = "osculate";
+  }
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_core, m) {
   namespace python = osculate::python;
   // Docstrings begin with their own signature ("name(...)\n--\n\n"), which inspect reads.
@@ -16,4 +27,5 @@ PYBIND11_MODULE(_core, m) {
   python::bindContinuity(m);
   python::bindBatch(m);
   python::bindOcct(m);
+  showAsPublic(m);
 }

@@ -55,6 +55,13 @@ class ImportTest(unittest.TestCase):
     def test_version(self):
         self.assertRegex(osculate.__version__, r"^\d+\.\d+\.\d+$")
 
+    def test_classes_are_named_by_the_package(self):
+        for name in osculate.__all__:
+            thing = getattr(osculate, name)
+            if isinstance(thing, type) and thing.__module__ == "osculate":
+                self.assertIs(getattr(osculate, thing.__qualname__), thing)
+        self.assertEqual(osculate.Curve.__module__, "osculate")
+
     def test_public_names_exist_once(self):
         for name in osculate.__all__:
             self.assertTrue(hasattr(osculate, name), name)

@@ -13,15 +13,14 @@ Lengths are in mm, angles in degrees. Values are immutable and safe to share bet
 import osculate._compiled  # noqa: F401  (first: it says what to do where _core does not load)
 from osculate._core import (
     MAX_ORDER, Curve, DefinitionDetail, FrenetFrame, JoinReport, JoinSide, JoinWarning,
-    PointGeometry, TolerancePreset, Tolerances, __version__)
-from osculate.analysis import (
-    VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins)
+    OcctError, PointGeometry, TolerancePreset, Tolerances, __version__)
+from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
 
 __all__ = [
     "ContactError", "Curve", "DefinitionDetail", "FrenetFrame", "JoinBatch", "JoinReport",
-    "JoinSide", "JoinWarning", "MAX_ORDER", "PointGeometry", "TolerancePreset", "Tolerances",
-    "VERDICTS", "__version__", "analyze", "analyze_edge", "analyze_joins", "write_csv",
-    "write_json",
+    "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry", "TolerancePreset",
+    "Tolerances", "VERDICTS", "__version__", "analyze", "analyze_edge", "analyze_joins",
+    "write_csv", "write_json",
 ]
