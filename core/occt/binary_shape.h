@@ -1,4 +1,5 @@
-// Shapes from OpenCASCADE's binary form with a head, as FreeCAD's Part.Shape.exportBinary writes it.
+// Shapes from OpenCASCADE's binary form with a head, as FreeCAD's Part.Shape.exportBinary writes
+// it.
 #pragma once
 
 #include <istream>
@@ -7,9 +8,9 @@
 
 namespace osculate {
 
-/// Reads a BinTools_ShapeSet and the three integers that pick its shape: number of the shape, number
-/// of its location, orientation. (BinTools::Write ends in another form.) A null shape where the head
-/// says so. Throws OcctError for what is no such stream.
+/// Reads a BinTools_ShapeSet and the three integers that pick its shape: number of the shape,
+/// number of its location, orientation. (BinTools::Write ends in another form.) A null shape where
+/// the head says so. Throws OcctError for what is no such stream.
 TopoDS_Shape readBinaryShape(std::istream& stream);
 
 }  // namespace osculate

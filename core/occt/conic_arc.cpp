@@ -10,11 +10,12 @@ namespace osculate {
 
 namespace {
 
-/// Bound of the rounding of a pole made of the centre and two products: each coordinate goes through
-/// five operations and a rounded parameter, and 3-vectors add a factor sqrt(3).
-double roundingBound(const ConicAxes& axes, double factor, double largestParameter) {
-  const double size = axes.centre.norm() + factor * (axes.x.norm() + axes.y.norm());
-  return 16.0 * kUnitRoundoff * (1.0 + largestParameter) * size;
+/// Bound of the rounding of a pole, centre + (x cos u + y sin u) / cos d, or the like: eight units
+/// for axes, functions, products, sum and quotient, u that is rounded itself, and the sum with the
+/// centre. `growth` bounds the functions.
+double roundingBound(const ConicAxes& axes, double growth, double largestParameter) {
+  const double axesSize = growth * (axes.x.norm() + axes.y.norm());
+  return kUnitRoundoff * (2.0 * axes.centre.norm() + (8.0 + 2.0 * largestParameter) * axesSize);
 }
 
 double largestParameter(double first, double last) {
@@ -27,14 +28,16 @@ constexpr double kMostPieces = 1024;
 struct Circular {
   static double cosine(double u) { return std::cos(u); }
   static double sine(double u) { return std::sin(u); }
-  static double bound(double, double) { return 1.0; }
+  static double growth(double, double) { return std::numbers::sqrt2; }  // 1 / cos 45 degrees
   static constexpr double kLongestPiece = 0.5 * std::numbers::pi;
 };
 
 struct Hyperbolic {
   static double cosine(double u) { return std::cosh(u); }
   static double sine(double u) { return std::sinh(u); }
-  static double bound(double first, double last) { return std::cosh(largestParameter(first, last)); }
+  static double growth(double first, double last) {
+    return std::cosh(largestParameter(first, last));
+  }
   static constexpr double kLongestPiece = 1.0;
 };
 
@@ -52,28 +55,33 @@ Vector3 pointAt(const ConicAxes& axes, double u) {
   return axes.centre + Functions::cosine(u) * axes.x + Functions::sine(u) * axes.y;
 }
 
-/// The piece [m - d, m + d] of centre + x cos u + y sin u has the poles P(m - d), S, P(m + d) and the
-/// weights 1, cos d, 1, S = centre + (x cos m + y sin m) / cos d (Piegl-Tiller, The NURBS Book,
+/// The piece [m - d, m + d] of centre + x cos u + y sin u has the poles P(m - d), S, P(m + d) and
+/// the weights 1, cos d, 1, S = centre + (x cos m + y sin m) / cos d (Piegl-Tiller, The NURBS Book,
 /// sec. 7.3); cosh and sinh for the hyperbola, by the same identities with imaginary arguments.
 template <typename Functions>
 BSplineCurve rationalArc(const ConicAxes& axes, double first, double last) {
   const int pieces = pieceCount(last - first, Functions::kLongestPiece);
-  BSplineData data{.poles = Poles(3, 2 * pieces + 1), .weights = {1.0}, .knots = {{first}, {3}},
-                   .degree = 2, .periodic = false, .poleError = 0.0};
+  BSplineData data{.poles = Poles(3, 2 * pieces + 1),
+                   .weights = {1.0},
+                   .knots = {{first}, {3}},
+                   .degree = 2,
+                   .periodic = false,
+                   .poleError = 0.0};
   data.poles.col(0) = pointAt<Functions>(axes, first);
   for (int i = 1; i <= pieces; ++i) {
     const double begin = data.knots.knots.back();
     const double end = i == pieces ? last : first + i * (last - first) / pieces;
     const double cosine = Functions::cosine(0.5 * (end - begin));
-    const Vector3 onArc = pointAt<Functions>({Vector3::Zero(), axes.x, axes.y}, 0.5 * (begin + end));
+    const Vector3 onArc =
+        pointAt<Functions>({Vector3::Zero(), axes.x, axes.y}, 0.5 * (begin + end));
     data.poles.col(2 * i - 1) = axes.centre + onArc / cosine;
     data.poles.col(2 * i) = pointAt<Functions>(axes, end);
     data.weights.insert(data.weights.end(), {cosine, 1.0});
     data.knots.knots.push_back(end);
     data.knots.multiplicities.push_back(i == pieces ? 3 : 2);
   }
-  const double factor = Functions::bound(first, last);
-  data.poleError = roundingBound(axes, 2.0 * factor, largestParameter(first, last));
+  data.poleError =
+      roundingBound(axes, Functions::growth(first, last), largestParameter(first, last));
   return BSplineCurve(std::move(data));
 }
 
@@ -104,7 +112,8 @@ BSplineCurve parabolicArc(const ConicAxes& axes, double first, double last) {
                       roundingBound({axes.centre, u * u * axes.x, u * axes.y}, 1.0, 0.0));
 }
 
-BSplineCurve lineSegment(const Vector3& origin, const Vector3& direction, double first, double last) {
+BSplineCurve lineSegment(const Vector3& origin, const Vector3& direction, double first,
+                         double last) {
   const std::array<Vector3, 2> poles{origin + first * direction, origin + last * direction};
   const double u = largestParameter(first, last);
   return BSplineCurve(BezierCurve(poles), first, last,

@@ -5,7 +5,8 @@
 
 namespace osculate {
 
-/// A conic by its centre (a parabola: its apex; a line: its origin) and two axis vectors with length.
+/// A conic by its centre (a parabola: its apex; a line: its origin) and two axis vectors with
+/// length.
 struct ConicAxes {
   Vector3 centre;
   Vector3 x;
@@ -20,6 +21,7 @@ BSplineCurve hyperbolicArc(const ConicAxes& axes, double first, double last);
 /// centre + x u^2 + y u, exact in the parameter too.
 BSplineCurve parabolicArc(const ConicAxes& axes, double first, double last);
 /// origin + direction u, exact in the parameter too.
-BSplineCurve lineSegment(const Vector3& origin, const Vector3& direction, double first, double last);
+BSplineCurve lineSegment(const Vector3& origin, const Vector3& direction, double first,
+                         double last);
 
 }  // namespace osculate

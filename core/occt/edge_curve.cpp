@@ -20,7 +20,7 @@ namespace osculate {
 namespace {
 
 const TopoDS_Edge& checkedEdge(const TopoDS_Shape& shape) {
-  static constexpr std::array kNames{"compound", "compsolid", "solid", "shell", "face",
+  static constexpr std::array kNames{"compound", "compsolid", "solid",  "shell", "face",
                                      "wire",     "edge",      "vertex", "shape"};
   if (shape.IsNull()) throw std::invalid_argument("edge: the shape is null (empty)");
   if (shape.ShapeType() != TopAbs_EDGE) {
@@ -41,11 +41,13 @@ void checkRange(double first, double last) {
   if (!(first < last)) throw std::invalid_argument("edge: its parameter range is empty");
 }
 
-/// The curve without placement and orientation, and the placement that BRep_Tool leaves to the caller.
+/// The curve without placement and orientation, and the placement that BRep_Tool leaves to the
+/// caller.
 EdgeCurve unplacedCurve(const TopoDS_Edge& edge, TopLoc_Location& location) {
   double first = 0.0;
   double last = 0.0;
-  if (const Handle(Geom_Curve)& curve = BRep_Tool::Curve(edge, location, first, last)) {
+  if (const opencascade::handle<Geom_Curve>& curve =
+          BRep_Tool::Curve(edge, location, first, last)) {
     checkRange(first, last);
     return convertCurve(curve, first, last);
   }
@@ -59,18 +61,18 @@ EdgeCurve unplacedCurve(const TopoDS_Edge& edge, TopLoc_Location& location) {
   return convertSurfaceCurve(pcurve, surface, first, last);
 }
 
-/// The curve moved by a placement. The rounding of the product, three units for each of the four terms
-/// of a coordinate, enters the pole error: it is large where placement and poles cancel.
+/// The curve moved by a placement. The rounding of the product, three units for each of the four
+/// terms of a coordinate, enters the pole error: it is large where placement and poles cancel.
 BSplineCurve placed(const BSplineCurve& curve, const gp_Trsf& placement) {
   Eigen::Affine3d map;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) map(row, column) = placement.Value(row + 1, column + 1);
+    for (int column = 0; column < 4; ++column)
+      map(row, column) = placement.Value(row + 1, column + 1);
   }
   map.makeAffine();
   const double scale = std::abs(placement.ScaleFactor());
   const double largest = curve.data().poles.colwise().norm().maxCoeff();
-  const double rounding =
-      6.0 * kUnitRoundoff * (scale * largest + map.translation().norm());
+  const double rounding = 6.0 * kUnitRoundoff * (scale * largest + map.translation().norm());
   return curve.transformed(map).withPoleError(scale * curve.poleError() + rounding);
 }
 

@@ -25,7 +25,8 @@ std::string_view name(EdgeCurveKind kind);
 struct EdgeCurve {
   BSplineCurve curve;
   EdgeCurveKind kind = EdgeCurveKind::kBSpline;
-  double errorMm = 0.0;  ///< bound of the distance to the edge's own curve; 0: exact but for rounding
+  /// Bound of the distance to the edge's own curve; 0: exact but for rounding.
+  double errorMm = 0.0;
 };
 
 /// The edge's own part of its curve, placed as the edge and in its direction of travel.
@@ -35,23 +36,26 @@ struct EdgeCurve {
 /// - Circle, ellipse, hyperbola and parabola become rational Bézier pieces (Piegl-Tiller, The NURBS
 ///   Book, ch. 7) joined in one B-spline: circle and ellipse in the least number of equal pieces of
 ///   at most 90 degrees (a full circle: 4, cut where the edge begins; its end pole is its start
-///   pole), the hyperbola in pieces of at most 1 in its parameter, the parabola in one. An offset of
-///   a line, or of a circle in its plane, is a line or a circle.
-/// - An edge with nothing but a curve on a surface is exact where that curve lies on a plane or runs
-///   along an isoparametric line of an elementary, swept, Bézier or B-spline surface.
+///   pole), the hyperbola in pieces of at most 1 in its parameter, the parabola in one. An offset
+///   of a line, or of a circle in its plane, is a line or a circle.
+/// - An edge with nothing but a curve on a surface is exact where that surface is a plane, and
+/// where
+///   the curve is an isoparametric line of an elementary, swept, Bézier or B-spline surface.
 /// - Everything else (offset of a spline, curve across a surface) is fitted in polynomial pieces of
 ///   degree 9 until the deviation reaches rounding; errorMm states what was found.
 ///
 /// Knots are the edge's own parameter values (of a reversed edge mirrored on the same range).
-/// Within a conic's pieces the parameter is NOT the angle (or u of OpenCASCADE): shape, tangent,
-/// curvature, torsion and their rates by arc length are exact, derivatives by the parameter are those
-/// of the rational form. Orders of parametric continuity (C^m) of such an edge hold for that form.
+/// Within the pieces of a circle, ellipse or hyperbola the parameter is NOT that of OpenCASCADE
+/// (the angle): shape, tangent, curvature, torsion and their rates by arc length are exact,
+/// derivatives by the parameter are those of the rational form, and so are orders of parametric
+/// continuity (C^m).
 ///
-/// curve.poleError() covers errorMm and the rounding of the conversion (placement, poles of conics).
+/// curve.poleError() covers errorMm and the rounding of the conversion (placement, poles of
+/// conics).
 ///
-/// Throws std::invalid_argument with the reason for a null shape, anything but an edge, a degenerated
-/// edge, an edge without geometry, of infinite or zero length, or with a range outside its curve;
-/// OcctError for what OpenCASCADE throws.
+/// Throws std::invalid_argument with the reason for a null shape, anything but an edge, a
+/// degenerated edge, an edge without geometry, of infinite or zero length, or with a range outside
+/// its curve; OcctError for what OpenCASCADE throws.
 EdgeCurve curveFromEdge(const TopoDS_Shape& edge);
 
 /// An edge over the whole curve with the same poles, weights and knots, bit for bit. Throws

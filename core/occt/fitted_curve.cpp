@@ -12,15 +12,17 @@ namespace osculate {
 
 namespace {
 
-/// High enough that a piece of a smooth curve is long (40 degrees of a circle at rounding level), low
-/// enough that its poles are well conditioned.
+/// High enough that a piece of a smooth curve is long (40 degrees of a circle at rounding level),
+/// low enough that its poles are well conditioned.
 constexpr int kFitDegree = 9;
 constexpr int kMostHalvings = 8;
 /// Evaluation through a surface or an offset rounds some tens of times.
 constexpr double kEvaluationUlps = 64.0;
+/// From the largest deviation found to the largest there is: between two nodes one point is tried.
+constexpr double kSafety = 4.0;
 /// Largest pole of a polynomial of degree 9 that is at most 1 on [0, 1]: C(18, 8) / C(9, 4), the
-/// largest Bernstein coefficient C(2n, 2i) / C(n, i) of the Chebyshev polynomial (Lyche and Scherer,
-/// "On the p-norm condition number of the multivariate triangular Bernstein basis", 2000).
+/// largest Bernstein coefficient C(2n, 2i) / C(n, i) of the Chebyshev polynomial (Lyche and
+/// Scherer, "On the p-norm condition number of the multivariate triangular Bernstein basis", 2000).
 constexpr double kPoleCondition = 43758.0 / 126.0;
 
 using FitPoles = Eigen::Matrix<double, 3, kFitDegree + 1>;
@@ -43,7 +45,8 @@ double betweenNodes(int i) {
 const Eigen::MatrixXd& coefficientsFromValues() {
   static const Eigen::MatrixXd kInverse = [] {
     Eigen::MatrixXd values(kFitDegree + 1, kFitDegree + 1);
-    for (int i = 0; i <= kFitDegree; ++i) values.col(i) = bernstein(kFitDegree, node(i));
+    for (int i = 0; i <= kFitDegree; ++i)
+      values.col(i) = bernstein(kFitDegree, node(i));
     return Eigen::MatrixXd(values.inverse());
   }();
   return kInverse;
@@ -53,14 +56,18 @@ class Fitter {
  public:
   Fitter(const std::function<Vector3(double)>& pointAt, std::span<const double> breaks)
       : pointAt_(pointAt) {
-    for (std::size_t i = 1; i < breaks.size(); ++i) fit(breaks[i - 1], breaks[i], kMostHalvings);
+    for (std::size_t i = 1; i < breaks.size(); ++i)
+      fit(breaks[i - 1], breaks[i], kMostHalvings);
   }
 
   FittedCurve joined() const {
     const auto count = static_cast<Eigen::Index>(pieces_.size());
-    BSplineData data{.poles = Poles(3, kFitDegree * count + 1), .weights = {},
-                     .knots = {{pieces_.front().first}, {kFitDegree + 1}}, .degree = kFitDegree,
-                     .periodic = false, .poleError = 0.0};
+    BSplineData data{.poles = Poles(3, kFitDegree * count + 1),
+                     .weights = {},
+                     .knots = {{pieces_.front().first}, {kFitDegree + 1}},
+                     .degree = kFitDegree,
+                     .periodic = false,
+                     .poleError = 0.0};
     double deviation = 0.0;
     for (Eigen::Index i = 0; i < count; ++i) {
       const Piece& piece = pieces_[static_cast<std::size_t>(i)];
@@ -69,7 +76,7 @@ class Fitter {
       data.knots.multiplicities.push_back(i + 1 == count ? kFitDegree + 1 : kFitDegree);
       deviation = std::max(deviation, piece.deviation);
     }
-    const double error = 2.0 * deviation + kUnitRoundoff * largestNorm_;
+    const double error = kSafety * deviation + kUnitRoundoff * largestNorm_;
     data.poleError = kPoleCondition * error;
     return {BSplineCurve(std::move(data)), error};
   }
@@ -87,20 +94,27 @@ class Fitter {
     fit(middle, last, halvings - 1);
   }
 
+  /// Interpolates the difference from the chord: its values are small, and so is their rounding.
   Piece interpolated(double first, double last) {
-    FitPoles values;
     const auto parameter = [&](double t) { return (1.0 - t) * first + t * last; };
-    for (int i = 0; i <= kFitDegree; ++i) {
-      values.col(i) = pointAt_(parameter(node(i)));
-      largestNorm_ = std::max(largestNorm_, values.col(i).norm());
+    const Vector3 start = pointAt_(first);
+    const Vector3 end = pointAt_(last);
+    const auto chord = [&](double t) -> Vector3 { return (1.0 - t) * start + t * end; };
+    FitPoles differences = FitPoles::Zero();
+    for (int i = 1; i < kFitDegree; ++i) {
+      differences.col(i) = pointAt_(parameter(node(i))) - chord(node(i));
     }
-    Piece piece{first, last, values * coefficientsFromValues(), 0.0};
-    piece.poles.col(0) = values.col(0);
-    piece.poles.col(kFitDegree) = values.col(kFitDegree);
+    Piece piece{first, last, differences * coefficientsFromValues(), 0.0};
+    for (int i = 0; i <= kFitDegree; ++i)
+      piece.poles.col(i) += chord(double(i) / kFitDegree);
+    piece.poles.col(0) = start;
+    piece.poles.col(kFitDegree) = end;
     for (int i = 0; i < kFitDegree; ++i) {
       const double t = betweenNodes(i);
+      const Vector3 expected = pointAt_(parameter(t));
       const Vector3 fitted = piece.poles * bernstein(kFitDegree, t);
-      piece.deviation = std::max(piece.deviation, (fitted - pointAt_(parameter(t))).norm());
+      piece.deviation = std::max(piece.deviation, (fitted - expected).norm());
+      largestNorm_ = std::max(largestNorm_, expected.norm());
     }
     return piece;
   }
@@ -112,7 +126,8 @@ class Fitter {
 
 }  // namespace
 
-FittedCurve fitCurve(const std::function<Vector3(double)>& pointAt, std::span<const double> breaks) {
+FittedCurve fitCurve(const std::function<Vector3(double)>& pointAt,
+                     std::span<const double> breaks) {
   return Fitter(pointAt, breaks).joined();
 }
 

@@ -44,33 +44,58 @@ Handle(Geom_Curve) untrimmed(Handle(Geom_Curve) curve) {
 /// nearer, the sliver of a span that the trim leaves holds no digits.
 constexpr double kSnap = 1e-12;
 
-/// Moves t to the knot that it misses by rounding. Adds to `moved` how far the point moves, in mm.
-double snapToKnot(const BSplineCurve& curve, double t, double& moved) {
+/// A parameter as turns + own: own within the curve's range, turns a multiple of its period (0
+/// unless the curve is periodic).
+struct Trim {
+  double own;
+  double turns;
+};
+
+/// The trim at t, moved to the knot that it misses by rounding. Adds to `moved` how far, in mm.
+Trim trimAt(const BSplineCurve& curve, double t, double& moved) {
   const std::vector<double>& knots = curve.data().knots.knots;
   const double range = curve.last() - curve.first();
-  const double turn = curve.isPeriodic() ? range * std::floor((t - curve.first()) / range) : 0.0;
-  const double own = t - turn;
+  const double turns = curve.isPeriodic() ? range * std::floor((t - curve.first()) / range) : 0.0;
+  const double own = t - turns;
   const auto above = std::lower_bound(knots.begin() + 1, knots.end() - 1, own);
   const double knot = *above - own < own - above[-1] ? *above : above[-1];
-  if (knot == own || std::abs(knot - own) > kSnap * range) return t;
+  if (knot == own || std::abs(knot - own) > kSnap * range) return {own, turns};
   moved += (curve.evaluate(knot) - curve.evaluate(own)).norm();
-  return knot + turn;
+  return {knot, turns};
+}
+
+void checkInside(const BSplineCurve& curve, double first, double last) {
+  if (curve.first() <= first && last <= curve.last()) return;
+  throw std::invalid_argument("edge: its range [" + std::to_string(first) + ", " +
+                              std::to_string(last) + "] leaves the range of its curve, [" +
+                              std::to_string(curve.first()) + ", " + std::to_string(curve.last()) +
+                              "]");
+}
+
+/// The part of a periodic curve, within its first two turns; `end` in the turn of `begin` or the
+/// one after.
+BSplineCurve periodicPart(const BSplineCurve& whole, Trim begin, Trim end) {
+  const double period = whole.last() - whole.first();
+  if (begin.own == whole.last()) begin = {whole.first(), begin.turns + period};
+  const double last = std::min(end.own + (end.turns - begin.turns), begin.own + period);
+  const bool isWhole = begin.own == whole.first() && last == whole.last();
+  return isWhole ? whole : whole.trimmed(begin.own, last);
+}
+
+BSplineCurve openPart(const BSplineCurve& whole, double begin, double end) {
+  checkInside(whole, begin, end);
+  return begin == whole.first() && end == whole.last() ? whole : whole.trimmed(begin, end);
 }
 
 /// The part [first, last] of a B-spline; the whole curve keeps its bits.
 EdgeCurve partOf(const BSplineCurve& whole, EdgeCurveKind kind, double first, double last) {
   if (first == whole.first() && last == whole.last()) return {whole, kind};
   double moved = 0.0;
-  const double a = snapToKnot(whole, first, moved);
-  const double b = snapToKnot(whole, last, moved);
-  if (!whole.isPeriodic() && (a < whole.first() || b > whole.last())) {
-    throw std::invalid_argument("edge: its range [" + std::to_string(first) + ", " +
-                                std::to_string(last) + "] leaves the range of its curve, [" +
-                                std::to_string(whole.first()) + ", " +
-                                std::to_string(whole.last()) + "]");
-  }
-  const bool isWhole = a == whole.first() && b == whole.last();
-  const BSplineCurve part = isWhole ? whole : whole.trimmed(a, b);
+  const Trim begin = trimAt(whole, first, moved);
+  const Trim end = trimAt(whole, last, moved);
+  BSplineCurve part =
+      whole.isPeriodic() ? periodicPart(whole, begin, end) : openPart(whole, begin.own, end.own);
+  if (begin.turns != 0.0) part = part.reparametrised(first, last);
   return {moved > 0.0 ? part.withPoleError(part.poleError() + moved) : part, kind, moved};
 }
 
@@ -95,16 +120,16 @@ EdgeCurve converted(const Geom_Circle& circle, double first, double last) {
 }
 
 EdgeCurve converted(const Geom_Ellipse& ellipse, double first, double last) {
-  return {ellipticArc(axesOf(ellipse.Position(), ellipse.MajorRadius(), ellipse.MinorRadius()), first,
-                      last),
+  return {ellipticArc(axesOf(ellipse.Position(), ellipse.MajorRadius(), ellipse.MinorRadius()),
+                      first, last),
           EdgeCurveKind::kEllipse};
 }
 
 EdgeCurve converted(const Geom_Hyperbola& hyperbola, double first, double last) {
-  return {hyperbolicArc(
-              axesOf(hyperbola.Position(), hyperbola.MajorRadius(), hyperbola.MinorRadius()), first,
-              last),
-          EdgeCurveKind::kHyperbola};
+  return {
+      hyperbolicArc(axesOf(hyperbola.Position(), hyperbola.MajorRadius(), hyperbola.MinorRadius()),
+                    first, last),
+      EdgeCurveKind::kHyperbola};
 }
 
 EdgeCurve converted(const Geom_Parabola& parabola, double first, double last) {
@@ -112,7 +137,7 @@ EdgeCurve converted(const Geom_Parabola& parabola, double first, double last) {
           EdgeCurveKind::kParabola};
 }
 
-/// Its points are P(u) + d (T x V) / |T x V|: P the basis, T its tangent, V the direction of offset.
+/// Its points are P(u) + d (T x V) / |T x V|: P the basis, T its tangent, V the curve's direction.
 EdgeCurve converted(const Geom_OffsetCurve& offset, double first, double last) {
   const Handle(Geom_Curve) basis = untrimmed(offset.BasisCurve());
   const gp_XYZ& direction = offset.Direction().XYZ();
@@ -136,7 +161,7 @@ EdgeCurve converted(const Geom_OffsetCurve& offset, double first, double last) {
 
 /// Converts as the first of the given classes that the curve is; fits a curve that is none of them.
 template <typename... Curves>
-EdgeCurve convertAs(const Handle(Geom_Curve)& curve, double first, double last) {
+EdgeCurve convertAs(const opencascade::handle<Geom_Curve>& curve, double first, double last) {
   std::optional<EdgeCurve> result;
   const auto attempt = [&](const auto* exact) {
     if (exact != nullptr) result = converted(*exact, first, last);
@@ -148,7 +173,7 @@ EdgeCurve convertAs(const Handle(Geom_Curve)& curve, double first, double last) 
 
 }  // namespace
 
-EdgeCurve convertCurve(const Handle(Geom_Curve)& curve, double first, double last) {
+EdgeCurve convertCurve(const opencascade::handle<Geom_Curve>& curve, double first, double last) {
   return convertAs<Geom_BSplineCurve, Geom_Line, Geom_Circle, Geom_BezierCurve, Geom_Ellipse,
                    Geom_Hyperbola, Geom_Parabola, Geom_OffsetCurve>(untrimmed(curve), first, last);
 }
@@ -161,8 +186,8 @@ EdgeCurve fitAdaptor(const Adaptor3d_Curve& adaptor, double first, double last) 
   std::copy_if(breaks.begin(), breaks.end(), std::back_inserter(range),
                [&](double t) { return range.back() < t && t < last; });
   range.push_back(last);
-  const FittedCurve fitted = fitCurve(
-      [&](double t) { return vectorOf(adaptor.Value(t).XYZ()); }, range);
+  const FittedCurve fitted =
+      fitCurve([&](double t) { return vectorOf(adaptor.Value(t).XYZ()); }, range);
   return {fitted.curve, EdgeCurveKind::kFitted, fitted.errorMm};
 }
 

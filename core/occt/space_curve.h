@@ -9,7 +9,7 @@
 namespace osculate {
 
 /// The part [first, last] of a curve, with the rules of curveFromEdge.
-EdgeCurve convertCurve(const Handle(Geom_Curve)& curve, double first, double last);
+EdgeCurve convertCurve(const opencascade::handle<Geom_Curve>& curve, double first, double last);
 
 /// The part [first, last] of whatever can be evaluated, fitted.
 EdgeCurve fitAdaptor(const Adaptor3d_Curve& adaptor, double first, double last);

@@ -39,18 +39,25 @@ void checkOcctMultiplicities(const BSplineData& data) {
 BSplineData dataOf(const Geom_BSplineCurve& spline) {
   const TColStd_Array1OfReal& knots = spline.Knots();
   const TColStd_Array1OfInteger& multiplicities = spline.Multiplicities();
-  BSplineData data{.poles = {}, .weights = {},
-                   .knots = {{knots.begin(), knots.end()},
-                             {multiplicities.begin(), multiplicities.end()}},
-                   .degree = spline.Degree(), .periodic = spline.IsPeriodic(), .poleError = 0.0};
+  BSplineData data{
+      .poles = {},
+      .weights = {},
+      .knots = {{knots.begin(), knots.end()}, {multiplicities.begin(), multiplicities.end()}},
+      .degree = spline.Degree(),
+      .periodic = spline.IsPeriodic(),
+      .poleError = 0.0};
   readPoles(spline, data);
   return data;
 }
 
 BSplineData dataOf(const Geom_BezierCurve& bezier) {
   const int degree = bezier.Degree();
-  BSplineData data{.poles = {}, .weights = {}, .knots = {{0.0, 1.0}, {degree + 1, degree + 1}},
-                   .degree = degree, .periodic = false, .poleError = 0.0};
+  BSplineData data{.poles = {},
+                   .weights = {},
+                   .knots = {{0.0, 1.0}, {degree + 1, degree + 1}},
+                   .degree = degree,
+                   .periodic = false,
+                   .poleError = 0.0};
   readPoles(bezier, data);
   return data;
 }

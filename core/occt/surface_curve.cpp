@@ -8,9 +8,10 @@
 #include <Geom2d_TrimmedCurve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomLib.hxx>
-#include <Geom_OffsetSurface.hxx>
+#include <Geom_BoundedSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SweptSurface.hxx>
 
 #include "osculate/occt/space_curve.h"
 
@@ -32,12 +33,19 @@ Handle(Geom2d_Curve) untrimmed(Handle(Geom2d_Curve) curve) {
   return curve;
 }
 
+/// Whether the surface gives its isoparametric lines exactly: offset surfaces approximate them.
+bool hasExactIsoLines(const Geom_Surface& surface) {
+  return dynamic_cast<const Geom_ElementarySurface*>(&surface) != nullptr ||
+         dynamic_cast<const Geom_SweptSurface*>(&surface) != nullptr ||
+         dynamic_cast<const Geom_BoundedSurface*>(&surface) != nullptr;
+}
+
 /// The isoparametric line that a straight pcurve along u or v runs on, with the pcurve's own
-/// parameter; empty for another pcurve, and on a surface whose isoparametric lines are fitted.
+/// parameter; empty for another pcurve or surface.
 std::optional<EdgeCurve> convertIsoLine(const Geom2d_Curve& pcurve, const Geom_Surface& surface,
                                         double first, double last) {
   const auto* line = dynamic_cast<const Geom2d_Line*>(&pcurve);
-  if (line == nullptr || dynamic_cast<const Geom_OffsetSurface*>(&surface) != nullptr) return {};
+  if (line == nullptr || !hasExactIsoLines(surface)) return {};
   const gp_Pnt2d origin = line->Location();
   const gp_Dir2d direction = line->Direction();
   const bool alongU = direction.Y() == 0.0;
@@ -55,8 +63,9 @@ std::optional<EdgeCurve> convertIsoLine(const Geom2d_Curve& pcurve, const Geom_S
 
 }  // namespace
 
-EdgeCurve convertSurfaceCurve(const Handle(Geom2d_Curve)& pcurve, const Handle(Geom_Surface)& surface,
-                              double first, double last) {
+EdgeCurve convertSurfaceCurve(const opencascade::handle<Geom2d_Curve>& pcurve,
+                              const opencascade::handle<Geom_Surface>& surface, double first,
+                              double last) {
   const Handle(Geom2d_Curve) bareCurve = untrimmed(pcurve);
   const Handle(Geom_Surface) bareSurface = untrimmed(surface);
   if (const auto plane = Handle(Geom_Plane)::DownCast(bareSurface)) {

@@ -8,9 +8,10 @@
 
 namespace osculate {
 
-/// The part [first, last] of the curve that `pcurve` draws in the surface's parameters, with the rules
-/// of curveFromEdge.
-EdgeCurve convertSurfaceCurve(const Handle(Geom2d_Curve)& pcurve, const Handle(Geom_Surface)& surface,
-                              double first, double last);
+/// The part [first, last] of the curve that `pcurve` draws in the surface's parameters, with the
+/// rules of curveFromEdge.
+EdgeCurve convertSurfaceCurve(const opencascade::handle<Geom2d_Curve>& pcurve,
+                              const opencascade::handle<Geom_Surface>& surface, double first,
+                              double last);
 
 }  // namespace osculate

@@ -1,5 +1,5 @@
-// Edges in: what osculate.shapes hands over. No class of OpenCASCADE is registered with pybind11, so
-// that this module lives beside others that do.
+// Edges in: what osculate.shapes hands over. No class of OpenCASCADE is registered with pybind11,
+// so that this module lives beside others that do.
 #include <fstream>
 
 #include "osculate/occt/binary_shape.h"
@@ -76,8 +76,9 @@ void bindOcct(py::module_& m) {
           "from_edge",
           [](const py::object& edge) { return shapesFunction("curve_from_edge")(edge); },
           py::arg("edge"), kFromEdgeDoc)
-      .def("to_edge", [](const py::object& self) { return shapesFunction("edge_from_curve")(self); },
-           kToEdgeDoc);
+      .def(
+          "to_edge", [](const py::object& self) { return shapesFunction("edge_from_curve")(self); },
+          kToEdgeDoc);
 }
 
 }  // namespace osculate::python

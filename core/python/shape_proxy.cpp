@@ -1,5 +1,5 @@
-// No generated SWIG module: the runtime's own header (`swig -python -external-runtime`) is enough to
-// register one type, in this module instead of a second one.
+// No generated SWIG module: the runtime's own header (`swig -python -external-runtime`) is enough
+// to register one type, in this module instead of a second one.
 #include "osculate/python/shape_proxy.h"
 
 #include <memory>
