@@ -42,8 +42,12 @@ class JoinsList(QtWidgets.QWidget):
 
     def show_joins(self, joins, current):
         """Shows (JoinPlace, JoinReport) pairs, as they are sorted."""
-        self.model.set_joins(joins)
+        if joins is not self.model.joins:  # a reset in the middle of a double-click would end it
+            self._set_joins(joins)
         self._select(current)
+
+    def _set_joins(self, joins):
+        self.model.set_joins(joins)
         self.summary.setText(_summary(joins))
         row_height = self.view.verticalHeader().defaultSectionSize()
         rows = min(len(joins), _ROWS_SHOWN)

@@ -1,0 +1,24 @@
+"""Runs the tests named in OSCULATE_GUI_TESTS inside FreeCAD's event loop, then ends FreeCAD."""
+
+import os
+import sys
+import traceback
+import unittest
+
+
+def main():
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    names = os.environ["OSCULATE_GUI_TESTS"].split()
+    print("GUI tests:", *names, flush=True)
+    suite = unittest.defaultTestLoader.loadTestsFromNames(names)
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
+    return 0 if result.wasSuccessful() and result.testsRun else 1
+
+
+STATUS = 1
+try:
+    STATUS = main()
+except BaseException:
+    traceback.print_exc(file=sys.stdout)
+sys.stdout.flush()
+os._exit(STATUS)  # an exception or a question about unsaved changes would leave FreeCAD open
