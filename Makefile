@@ -21,11 +21,12 @@ demo: build     ## analyses real models; report, JSON, CSV, FCStd and picture in
 install: build  ## the add-on into FreeCAD's Mod folder, or into PREFIX=<folder of the add-on>
 	.ci/install-addon build/release $(PREFIX)
 
-bench:          ## timings beside those of OpenCASCADE
-	.ci/setup build bench
+bench:          ## timings beside those of OpenCASCADE, and of a report from Python
+	.ci/setup build freecad bench
 	cmake --preset bench
 	cmake --build --preset bench
-	.ci/bench build/bench
+	build/bench/core/bench/osculate_bench
+	PYTHONPATH=workbench:/usr/lib/freecad-python3/lib /usr/bin/python3 -B core/bench/python_report.py
 
 format:         ## rewrites the C++ sources in the project's format
 	.ci/setup format
