@@ -104,6 +104,11 @@ int integerFrom(const py::object& value, const char* argument) {
   return static_cast<int>(number);
 }
 
+bool boolFrom(const py::object& value, const char* argument) {
+  if (!PyBool_Check(value.ptr())) failType(argument, "True or False", value);
+  return value.is(py::bool_(true));
+}
+
 Side sideFrom(const py::object& value) {
   const std::string text = py::str(value);
   if (text == "left") return Side::kLeft;
@@ -158,7 +163,9 @@ Progress progressFrom(const py::object& callback) {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (callback == Py_None) return true;
     const py::object answer = py::handle(callback)(share);
-    return answer.is_none() || answer.cast<bool>();
+    const int isTrue = PyObject_IsTrue(answer.ptr());
+    if (isTrue < 0) throw py::error_already_set();
+    return answer.is_none() || isTrue == 1;
   };
 }
 

@@ -29,6 +29,7 @@ std::vector<double> numbersFrom(const py::object& value, const char* argument);
 std::vector<int> integersFrom(const py::object& value, const char* argument);
 double numberFrom(const py::object& value, const char* argument);
 int integerFrom(const py::object& value, const char* argument);
+bool boolFrom(const py::object& value, const char* argument);
 /// "left" or "right".
 Side sideFrom(const py::object& value);
 /// None, or a pair of "start" and "end".

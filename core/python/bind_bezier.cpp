@@ -88,13 +88,13 @@ BSplineCurve bezier(const py::object& poles, const py::object& weights) {
 
 BSplineCurve bspline(const py::object& poles, const py::object& knots,
                      const py::object& multiplicities, const py::object& degree,
-                     const py::object& weights, bool periodic) {
+                     const py::object& weights, const py::object& periodic) {
   BSplineData data{
       .poles = polesFrom(poles, "poles"),
       .weights = {},
       .knots = {numbersFrom(knots, "knots"), integersFrom(multiplicities, "multiplicities")},
       .degree = integerFrom(degree, "degree"),
-      .periodic = periodic};
+      .periodic = boolFrom(periodic, "periodic")};
   data.weights = weightsFrom(weights, data.poles.cols());
   return BSplineCurve(std::move(data));
 }
@@ -176,7 +176,7 @@ py::tuple pickledState(const BSplineCurve& curve) {
 }
 
 BSplineCurve unpickled(const py::tuple& state) {
-  return bspline(state[0], state[1], state[2], state[3], state[4], state[5].cast<bool>())
+  return bspline(state[0], state[1], state[2], state[3], state[4], state[5])
       .withPoleError(state[6].cast<double>());
 }
 

@@ -101,6 +101,10 @@ class BsplineTest(ErrorCase):
             self.assert_value_error("degree", self.bspline, degree=degree)
         self.assert_type_error("degree: must be an integer, got float", self.bspline, degree=3.0)
 
+    def test_periodic_is_true_or_false(self):
+        self.assert_type_error("periodic: must be True or False, got str", self.bspline,
+                               periodic="no")
+
     def test_too_few_poles(self):
         self.assert_value_error("poles|multiplicities", self.bspline, poles=POLES)
 

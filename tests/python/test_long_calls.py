@@ -55,6 +55,10 @@ class ProgressTest(unittest.TestCase):
                                len(calls) <= 5)
         self.assertEqual([report.parameter for report in reports], [1, 2, 3, 4, 5])
 
+    def test_an_answer_without_a_truth_value_is_an_error(self):
+        with self.assertRaisesRegex(ValueError, "truth value"):
+            analyze_edge(spline(3), progress=lambda share: np.zeros(3))
+
     def test_none_goes_on(self):
         self.assertEqual(len(analyze_edge(spline(20), progress=lambda share: None)), 19)
 
