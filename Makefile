@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 
 help:           ## this list
-	@sed -n 's/^\([a-z]*:\) *## /  make \1\t/p' $(MAKEFILE_LIST)
+	@sed -n 's|^\([a-z]*\):[a-z ]*## |  make \1\t|p' $(MAKEFILE_LIST)
 
 build:          ## the core, the Python module in workbench/osculate, the tests
 	.ci/setup build test freecad
