@@ -19,4 +19,4 @@ def _add_package_folder():
 
 
 _add_package_folder()
-FreeCAD.__unit_test__ += ["osculate.selftest"]
+FreeCAD.__unit_test__ += ["osculate.features.selftest"]

@@ -27,7 +27,8 @@ class JoinCheck:
 
     def onDocumentRestored(self, obj):
         add_properties(obj)
-        obj.SchemaVersion = self.SCHEMA_VERSION
+        if obj.SchemaVersion != self.SCHEMA_VERSION:
+            obj.SchemaVersion = self.SCHEMA_VERSION
         set_editors(obj)
         _give_view(obj)  # a check from a script without a GUI has none yet
 
@@ -75,7 +76,7 @@ def make_join_check(doc, first, second, *, order=4, ends=None, preset="osculate"
     obj.First = first
     obj.Second = second
     configure(obj, order=order, ends=ends, preset=preset, values=values, knot=knot)
-    obj.recompute()
+    doc.recompute([obj])
     return obj
 
 
@@ -163,20 +164,20 @@ def _show_report(obj, report):
     obj.Order = report.order
     obj.ParametricOrder = report.parametric_order
     obj.Headline = report.headline
-    obj.Verdicts = list(report.verdicts)
     obj.Residuals = [math.nan if residual is None else residual for residual in report.residuals]
     obj.Position = FreeCAD.Vector(*report.sides[0].point)
     set_numbers(obj, {**report.deviation, "curvature_first": report.sides[0].curvature,
                       "curvature_second": report.sides[1].curvature})
     obj.Report = report.to_json()
     obj.Status = "OK"
+    obj.Verdicts = list(report.verdicts)  # the last: the view provider waits for it
 
 
 def _show_error(obj, error):
     obj.Continuity = "error"
     obj.Order = obj.ParametricOrder = -1
     obj.Headline = obj.Report = ""
-    obj.Verdicts = []
     obj.Residuals = []
     set_numbers(obj, {})
     obj.Status = str(error)
+    obj.Verdicts = []

@@ -43,7 +43,7 @@ class JoinCheckView:
         return resources.icon_path(_look(self._object).icon)
 
     def updateData(self, obj, prop):
-        if prop == "Status":  # the last that a recompute sets
+        if prop == "Verdicts":  # the last that a recompute sets
             self._show_label()
             obj.ViewObject.signalChangeIcon()
 

@@ -47,12 +47,14 @@ class ModelObserver:
 
 
 class SelectionObserver:
-    """Calls `changed()` after each change of the selection."""
+    """Calls `changed()` after something was selected or everything deselected.
+
+    What is only taken out of the selection, as by its deletion, is nothing new to look at.
+    """
 
     def __init__(self, changed):
         self._later = _Later(changed)
         self.addSelection = self._later.start
-        self.removeSelection = self._later.start
         self.setSelection = self._later.start
         self.clearSelection = self._later.start
         FreeCADGui.Selection.addObserver(self)

@@ -1,5 +1,6 @@
 """All that is drawn at a join, from its report."""
 
+from osculate.gui import colors
 from osculate.gui.overlays import nodes, sprites
 from osculate.gui.overlays.frenet_frame import frames_node
 from osculate.gui.overlays.placement import CORNERS, in_freest_corner
@@ -8,7 +9,7 @@ from osculate.gui.verdict import look_of, missing_text
 
 
 def join_overlay(report, preferences, labelled=True):
-    """Curves with arrows, control polygons, frames; a ring at the join and its label."""
+    """Curves with arrows, control polygons, frames, the gap; a ring and the label."""
     parts = []
     for index, side in enumerate(report.sides):
         color = preferences.side_colors[index]
@@ -17,11 +18,14 @@ def join_overlay(report, preferences, labelled=True):
         parts.append(segment_node(side, index == 0, color, str(index + 1)))
     if preferences.show_frames:
         parts.append(frames_node(report.sides, preferences.frame_pixels, preferences.label_points))
+    points = [side.point for side in report.sides]
+    if report.order < 0:
+        parts.append(nodes.colored_polyline(points, colors.GAP, 3.0))
     if labelled:
         verdict = report.order, report.verdicts, report.residuals
         surroundings = [(side.tangent, side.normal, side.segment.poles if side.segment else ())
                         for side in report.sides]
-        parts.append(label_node(report.sides[0].point, verdict, preferences, surroundings))
+        parts.append(label_node(points[0], verdict, preferences, surroundings))
     return nodes.untouchable(*parts)
 
 

@@ -42,7 +42,7 @@ class EditPanel(JoinPanel):
         obj.Second = place.second.resolve_object(), place.second.sub
         configure(obj, order=options.order, ends=place.ends, preset=options.preset,
                   values=options.values, knot=place.knot)
-        obj.recompute()
+        obj.Document.recompute([obj])
 
     def _follow_toggled(self, _follows):
         self.take_selection()

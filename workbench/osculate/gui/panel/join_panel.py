@@ -61,8 +61,8 @@ class JoinPanel:
             return
         if links:
             self._take_links(links)
-        elif self.session.place is None:
-            self.form.advice.say(what_to_select())
+        else:
+            self.form.advice.say("" if self.session.place else what_to_select())
 
     def _take_links(self, links):
         self.form.advice.say("")

@@ -2,7 +2,7 @@
 
 import math
 
-from osculate.gui.qt import QtGui, QtWidgets
+from osculate.gui.qt import Qt, QtGui, QtWidgets
 
 _LEAST, _MOST = 1e-12, 1e6
 
@@ -37,6 +37,11 @@ class ToleranceSpinBox(QtWidgets.QDoubleSpinBox):
     def stepBy(self, steps):
         for _ in range(abs(steps)):
             self.setValue(_next_step(self.value(), steps > 0))
+
+    def keyPressEvent(self, event):
+        super().keyPressEvent(event)
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            event.accept()  # takes the number; FreeCAD would press OK as well
 
     def sizeHint(self):
         hint = super().sizeHint()
