@@ -37,9 +37,11 @@ void registerShapeType() {
 TopoDS_Shape takeShape(const py::object& proxy) {
   static swig_type_info* const type = SWIG_TypeQuery(kTypeName);
   void* pointer = nullptr;
+  int owned = 0;
   // DISOWN: the proxy would have no destructor to call, the shape is deleted here
-  const int result = SWIG_ConvertPtr(proxy.ptr(), &pointer, type, SWIG_POINTER_DISOWN);
-  if (!SWIG_IsOK(result) || pointer == nullptr) {
+  const int result =
+      SWIG_ConvertPtrAndOwn(proxy.ptr(), &pointer, type, SWIG_POINTER_DISOWN, &owned);
+  if (!SWIG_IsOK(result) || owned == 0) {
     throw py::type_error("proxy: must be what Part.__toPythonOCC__ returns, used once");
   }
   const std::unique_ptr<TopoDS_Shape> shape(static_cast<TopoDS_Shape*>(pointer));

@@ -25,10 +25,12 @@ def curve_from_edge(edge):
     conics as rational curves of degree 2), or fitted to rounding with the error in
     `Curve.pole_error`. The parameter range is the edge's.
 
-    Raises TypeError for what is no edge; ValueError for an edge that is null, degenerated, infinite,
-    of zero length or without geometry; _core.OcctError for what OpenCASCADE throws.
+    Raises TypeError for what is no edge; ValueError for an edge that is null, degenerated,
+    infinite, of zero length or without geometry; OcctError (a RuntimeError) for what OpenCASCADE
+    throws.
     """
-    _require_edge(edge, "edge")
+    if not is_edge(edge):
+        raise TypeError(f"edge: a Part.Edge is needed, got {_described(edge, 'an edge')}")
     to_proxy = _proxy_maker()
     if to_proxy is not None:
         try:
@@ -48,7 +50,7 @@ def edge_from_curve(curve):
     ImportError where there is no FreeCAD.
     """
     if not isinstance(curve, _core.Curve):
-        raise TypeError(f"curve: an osculate.Curve is needed, got {_described(curve)}")
+        raise TypeError(f"curve: an osculate.Curve is needed, got {_described(curve, 'a curve')}")
     import Part
     multiplicities = curve.multiplicities.tolist()
     if max(multiplicities[1:-1], default=1) > curve.degree:
@@ -70,7 +72,7 @@ def curve_from(value, name):
         return value
     if not is_edge(value):
         raise TypeError(f"{name}: a Part.Edge or an osculate.Curve is needed, got "
-                        f"{_described(value)}")
+                        f"{_described(value, 'an edge')}")
     try:
         return curve_from_edge(value)
     except ValueError as error:
@@ -80,20 +82,20 @@ def curve_from(value, name):
 def edges_in_order(wire):
     """The edges of a Part.Wire from its beginning to its end, each oriented along the wire.
 
-    Raises TypeError for what is no wire, ValueError for a wire whose edges do not hang together in
-    one chain (by shared vertices, no branches).
+    Degenerated edges (the poles of a sphere) are left out. Raises TypeError for what is no wire,
+    ValueError for a wire whose edges do not hang together in one chain by shared vertices.
     """
     part = sys.modules.get("Part")
     if part is None or not isinstance(wire, part.Wire):
-        raise TypeError(f"wire: a Part.Wire is needed, got {_described(wire)}")
+        raise TypeError(f"wire: a Part.Wire is needed, got {_described(wire, 'a wire')}")
     if wire.isNull():
         raise ValueError("wire: the shape is null (empty)")
     edges = wire.OrderedEdges
     missing = len(wire.Edges) - len(edges)
     if missing > 0:
-        raise ValueError(f"wire: its edges are no chain; {missing} of {len(wire.Edges)} do not follow "
-                         "from the first ones through shared vertices")
-    return edges
+        raise ValueError(f"wire: its edges are no chain; {missing} of {len(wire.Edges)} do not "
+                         "follow from the first ones through shared vertices")
+    return [edge for edge in edges if not edge.Degenerated]
 
 
 def is_edge(value):
@@ -104,21 +106,15 @@ def is_edge(value):
     return isinstance(value, part.Edge) or (not value.isNull() and value.ShapeType == "Edge")
 
 
-def _require_edge(value, name):
-    if not is_edge(value):
-        raise TypeError(f"{name}: a Part.Edge is needed, got {_described(value)}")
-
-
-def _described(value):
+def _described(value, wanted):
     """What a person calls the value, with advice where it is a shape that has edges."""
     part = sys.modules.get("Part")
     if part is None or not isinstance(value, part.Shape):
         return f"{type(value).__module__}.{type(value).__name__}".replace("builtins.", "")
     if value.isNull():
         return "a null shape"
-    kind = value.ShapeType.lower()
-    advice = " (take one of its Edges)" if value.Edges else ""
-    return f"a {kind} instead of an edge{advice}"
+    advice = " (take one of its Edges)" if wanted == "an edge" and value.Edges else ""
+    return f"a {value.ShapeType.lower()} instead of {wanted}{advice}"
 
 
 @functools.cache
