@@ -7,7 +7,7 @@ from unittest import mock
 
 import numpy as np
 
-from osculate import Curve, _core, shapes
+from osculate import Curve, OcctError, _core, shapes
 from support import FreeCAD, Part, assert_no_growth, cubic, needs_freecad
 
 EDGE_SECONDS = 8e-6  # aimed at for one B-spline edge
@@ -126,8 +126,8 @@ class ThroughFileTest(unittest.TestCase):
             self.assertEqual(shapes.curve_from_edge(edge), proxied(edge))
 
     def test_a_file_that_is_no_shape(self):
-        self.assertTrue(issubclass(_core.OcctError, RuntimeError))
-        with self.assertRaisesRegex(_core.OcctError, "^OpenCASCADE: Storage_StreamTypeMismatchError"):
+        self.assertTrue(issubclass(OcctError, RuntimeError))
+        with self.assertRaisesRegex(OcctError, "^OpenCASCADE: Storage_StreamTypeMismatchError"):
             _core.curve_from_binary(__file__)
         with self.assertRaisesRegex(ValueError, "path: cannot read"):
             _core.curve_from_binary("/no/such/file")
