@@ -15,6 +15,15 @@ void bindInvariant(py::class_<JoinSideView>& side, const char* name, const char*
       name, [](const JoinSideView& self) { return self.report().invariants.*member; }, doc);
 }
 
+void bindInvariants(py::class_<JoinSideView>& side) {
+  bindInvariant<&Invariants::curvature>(side, "curvature", "kappa >= 0, 1/mm, or None.");
+  bindInvariant<&Invariants::torsion>(side, "torsion", "tau, signed, 1/mm, or None.");
+  bindInvariant<&Invariants::curvatureRate>(side, "curvature_rate", "d kappa/ds, 1/mm^2, or None.");
+  bindInvariant<&Invariants::curvatureRate2>(side, "curvature_rate2",
+                                             "d^2 kappa/ds^2, 1/mm^3, or None.");
+  bindInvariant<&Invariants::torsionRate>(side, "torsion_rate", "d tau/ds, 1/mm^2, or None.");
+}
+
 std::optional<Vector3> tangentOf(const JoinSideView& self) {
   if (self.report().smoothness < 1) return {};
   return self.report().frame.tangent;
@@ -60,12 +69,7 @@ void bindSide(py::module_& m) {
           "normal, binormal) components in the report's frame; row 0 is the position from the "
           "first "
           "curve's end.");
-  bindInvariant<&Invariants::curvature>(side, "curvature", "kappa >= 0, 1/mm, or None.");
-  bindInvariant<&Invariants::torsion>(side, "torsion", "tau, signed, 1/mm, or None.");
-  bindInvariant<&Invariants::curvatureRate>(side, "curvature_rate", "d kappa/ds, 1/mm^2, or None.");
-  bindInvariant<&Invariants::curvatureRate2>(side, "curvature_rate2",
-                                             "d^2 kappa/ds^2, 1/mm^3, or None.");
-  bindInvariant<&Invariants::torsionRate>(side, "torsion_rate", "d tau/ds, 1/mm^2, or None.");
+  bindInvariants(side);
 }
 
 }  // namespace osculate::python
