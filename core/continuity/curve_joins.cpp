@@ -23,8 +23,17 @@ double reachFrom(const BSplineCurve& curve, const Vector3& join) {
                              (curve.middlePoint() - join).squaredNorm()}));
 }
 
-JoinSide sideOf(const BezierSegment& segment, CurveEnd end, double reach) {
-  return {segment.curve.view(), end, reach, segment.length(), segment.poleError};
+/// The side of a curve that has the segment at the join.
+JoinSide sideOf(const BSplineCurve& curve, const BezierSegment& segment, CurveEnd end, double reach) {
+  const BezierView view = segment.curve.view();
+  if (isBackAtJoin(reach, view, end)) [[unlikely]] {
+    const Vector3 join = view.pole(end == CurveEnd::kStart ? 0 : view.degree);
+    const auto distance = [&](double share) {
+      return (curve.evaluate(std::lerp(curve.first(), curve.last(), share)) - join).norm();
+    };
+    reach = std::max(distance(kGoldenSection), distance(1.0 - kGoldenSection));
+  }
+  return {view, end, reach, segment.length(), segment.poleError};
 }
 
 /// An error beyond the rounding of an exact conversion.
@@ -39,8 +48,8 @@ CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds
                  const AnalysisOptions& options) {
   BezierSegment arriving = first.endSegment(ends.first);
   BezierSegment leaving = second.endSegment(ends.second);
-  JoinReport report = analyzeJoin(sideOf(arriving, ends.first, reachFrom(first, ends.first)),
-                                  sideOf(leaving, ends.second, reachFrom(second, ends.second)), options);
+  JoinReport report = analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
+                                  sideOf(second, leaving, ends.second, reachFrom(second, ends.second)), options);
   markApproximated(first, report);
   markApproximated(second, report);
   return {report, arriving, leaving, std::nullopt};
@@ -89,8 +98,8 @@ JoinReport reportCurves(const BSplineCurve& first, const BSplineCurve& second, c
                         JoinEnds ends) {
   const BezierSegment arriving = first.endSegment(ends.first);
   const BezierSegment leaving = second.endSegment(ends.second);
-  return analyzeJoin(sideOf(arriving, ends.first, reachFrom(first, ends.first)),
-                     sideOf(leaving, ends.second, reachFrom(second, ends.second)), options);
+  return analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
+                     sideOf(second, leaving, ends.second, reachFrom(second, ends.second)), options);
 }
 
 CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& options) {
@@ -108,7 +117,8 @@ std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const Analys
     if (progress && !progress(static_cast<double>(i) / static_cast<double>(knots.size()))) return joins;
     const BezierSegment after = curve.segment(knots[i].spanAfter);
     const double reach = reachFrom(curve, after.curve.pole(0));
-    CurveJoin join{analyzeJoin(sideOf(before, CurveEnd::kEnd, reach), sideOf(after, CurveEnd::kStart, reach), options),
+    CurveJoin join{analyzeJoin(sideOf(curve, before, CurveEnd::kEnd, reach),
+                               sideOf(curve, after, CurveEnd::kStart, reach), options),
                    before, after, knots[i].parameter};
     markApproximated(curve, join.report);
     joins.push_back(std::move(join));

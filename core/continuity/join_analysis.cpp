@@ -202,7 +202,21 @@ double reachOf(BezierView segment, CurveEnd end) {
   const Vector3 join = segment.pole(end == CurveEnd::kStart ? 0 : n);
   const Vector3 other = segment.pole(end == CurveEnd::kStart ? n : 0);
   const Vector3 middle = Vector3(x, y, z) / weights;
-  return std::sqrt(std::max((other - join).squaredNorm(), (middle - join).squaredNorm()));
+  const double reach = std::sqrt(std::max((other - join).squaredNorm(), (middle - join).squaredNorm()));
+  if (!isBackAtJoin(reach, segment, end)) [[likely]] return reach;
+  const BezierCurve curve(segment);
+  return std::max((curve.evaluate(kGoldenSection) - join).norm(), (curve.evaluate(1.0 - kGoldenSection) - join).norm());
+}
+
+bool isBackAtJoin(double reach, BezierView segment, CurveEnd end) {
+  constexpr double kNothing = 1e-6;
+  const auto squaredLeg = [&](int i) {
+    const int n = segment.degree;
+    const auto pole = [&](int k) { return segment.pole(end == CurveEnd::kStart ? k : n - k); };
+    return (pole(i) - pole(0)).squaredNorm();
+  };
+  const double leg = std::max(squaredLeg(1), squaredLeg((segment.degree + 1) / 2));
+  return reach * reach <= kNothing * kNothing * leg;
 }
 
 }  // namespace osculate

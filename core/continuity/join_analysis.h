@@ -22,13 +22,20 @@ struct AnalysisOptions {
 };
 
 /// The full report. The first side arrives at the join, the second leaves it. Throws nothing,
-/// allocates nothing (except at singular ends).
+/// allocates nothing (except at singular ends and for figures of eight).
 JoinReport analyzeJoin(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options = {});
 
 /// The same decision, without sides, frames, betas and definitions: what a batch needs.
 JoinDecision decideJoin(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options = {});
 
 /// Distance from the end at the join to the segment's other end or to its middle point, the larger.
+/// Where that is nothing (see isBackAtJoin), the larger of those to the points at the golden sections.
 double reachOf(BezierView segment, CurveEnd end);
+
+/// True where the reach is nothing beside the segment at the join: a closed curve that is back there at
+/// its middle, as a figure of eight at its crossing. As L it would make every order pass.
+bool isBackAtJoin(double reach, BezierView segment, CurveEnd end);
+/// The golden section of the parameter range, where no symmetric curve is back at the join.
+inline constexpr double kGoldenSection = 0.38196601125010515;
 
 }  // namespace osculate
