@@ -8,6 +8,7 @@ import unittest
 
 import FreeCAD
 import FreeCADGui
+import numpy
 
 from osculate.gui import preferences
 from osculate.gui.panel.panel_form import PanelForm
@@ -140,10 +141,7 @@ class GuiCase(unittest.TestCase):
     @staticmethod
     def count_pixels(image, color, spread=6):
         """How many pixels have the colour "#rrggbb", give or take `spread` in each channel."""
-        wanted = QtGui.QColor(color).getRgb()[:3]
-        count = 0
-        for y in range(image.height()):
-            for x in range(image.width()):
-                found = image.pixelColor(x, y).getRgb()[:3]
-                count += all(abs(one - other) <= spread for one, other in zip(found, wanted))
-        return count
+        rows = image.convertToFormat(QtGui.QImage.Format.Format_RGBA8888)
+        pixels = numpy.frombuffer(rows.constBits(), numpy.uint8).reshape(-1, 4)[:, :3]
+        wanted = numpy.array(QtGui.QColor(color).getRgb()[:3], int)
+        return int((abs(pixels.astype(int) - wanted) <= spread).all(axis=1).sum())
