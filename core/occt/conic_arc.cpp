@@ -88,7 +88,7 @@ BSplineCurve rationalArc(const ConicAxes& axes, double first, double last) {
 }  // namespace
 
 BSplineCurve ellipticArc(const ConicAxes& axes, double first, double last) {
-  const BSplineCurve arc = rationalArc<Circular>(axes, first, last);
+  BSplineCurve arc = rationalArc<Circular>(axes, first, last);
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (std::abs(last - first - kTurn) > 8.0 * kUnitRoundoff * (kTurn + std::abs(first))) return arc;
   BSplineData closed = arc.data();

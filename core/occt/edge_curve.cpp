@@ -84,11 +84,10 @@ std::string_view name(EdgeCurveKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-EdgeCurve curveFromEdge(const TopoDS_Shape& shape) {
+EdgeCurve curveFromEdge(const TopoDS_Shape& edge) {
   return translateFailures([&] {
-    const TopoDS_Edge& edge = checkedEdge(shape);
     TopLoc_Location location;
-    EdgeCurve result = unplacedCurve(edge, location);
+    EdgeCurve result = unplacedCurve(checkedEdge(edge), location);
     if (!location.IsIdentity()) {
       const gp_Trsf& placement = location.Transformation();
       result.curve = placed(result.curve, placement);
