@@ -104,7 +104,7 @@ template <int N>
   const auto& arc = ends.arc;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   decision.residuals[0] = (a.point - b.point).norm();
-  decision.uncertainties[0] = a.pointError + b.pointError;
+  decision.uncertainties[0] = a.pointError + b.pointError + 4.0 * kUnitRoundoff * decision.residuals[0];
   const int exists = ends.commonSmoothness();
   decision.residuals[1] =
       exists < 1 ? kInfinity : kDegrees * angleBetween(-lane(arc.r[1], 0), lane(arc.r[1], 1));
