@@ -33,8 +33,8 @@ inline PointSeries composed(const PointSeries& arc, const RealSeries& sigma, std
   return result;
 }
 
-/// The Bézier curve of degree `sigma.size() - 1` or more that starts with the derivatives r_0, r_1,
-/// ... by arc length, with s(t) as above; sigma decides the parametrisation and the degree.
+/// The Bézier curve of degree `sigma.size() - 1` that starts with the derivatives r_0, r_1, ... by
+/// arc length, with s(t) as above; sigma decides the parametrisation.
 inline BezierCurve startingWith(const PointSeries& arc, const RealSeries& sigma) {
   return roundedCurve(bezierNet(composed(arc, sigma, sigma.size() - 1)));
 }

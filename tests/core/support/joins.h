@@ -35,6 +35,14 @@ inline BezierCurve bezier(const std::vector<Vector3>& poles,
   return BezierCurve(poles, weights);
 }
 
+/// The same trace by another parameter: weights times rho^i (Farin, NURBS, sec. 7.2).
+inline BezierCurve moebius(const BezierCurve& curve, double rho) {
+  std::vector<double> weights;
+  for (int i = 0; i <= curve.degree(); ++i)
+    weights.push_back(curve.weight(i) * std::pow(rho, i));
+  return BezierCurve(polesOf(curve), weights);
+}
+
 /// The residuals 0..count as the contract defines them, from derivatives by arc length in the
 /// direction of travel (r_0 the point): mm, degrees, then |r_k - r_k'| / max(|r_k|, |r_k'|,
 /// L^(1-k)).
