@@ -86,12 +86,22 @@ class OverlayTest(GuiCase):
         self.assertGreater(perspective, 0.5 * orthographic)
         self.assertLess(perspective, 2.0 * orthographic)
 
-    def test_does_not_change_what_fits_into_the_view(self):
+    def fitted_height(self):
         self.fit()
-        before = self.view().getCameraNode().height.getValue()
+        return self.view().getCameraNode().height.getValue()
+
+    def test_frames_and_labels_do_not_count_where_a_view_is_fitted(self):
+        before = self.fitted_height()
+        preferences.save(preferences.Preferences(show_polygons=False, frame_pixels=300))
         self.show()
-        self.fit()
-        self.assertAlmostEqual(self.view().getCameraNode().height.getValue(), before, places=4)
+        self.assertAlmostEqual(self.fitted_height(), before, places=4)
+
+    def test_control_polygons_count_where_a_view_is_fitted(self):
+        before = self.fitted_height()
+        self.show()
+        with_poles = self.fitted_height()
+        self.assertGreater(with_poles, before)
+        self.assertAlmostEqual(self.fitted_height(), with_poles, places=4)
 
     def test_cannot_be_picked(self):
         self.show()

@@ -42,9 +42,8 @@ class CommandTest(GuiCase):
     def click_at(self, point, modifiers=Qt.KeyboardModifier.NoModifier):
         """Clicks at a point of the model in the 3D view, as a user does."""
         view = self.view()
-        canvas = next(widget for widget in
-                      view.graphicsView().findChildren(QtWidgets.QOpenGLWidget)
-                      if widget.isVisible())
+        canvas = next(widget for widget in view.graphicsView().findChildren(QtWidgets.QWidget)
+                      if widget.inherits("QOpenGLWidget") and widget.isVisible())
         x, y = view.getPointOnScreen(point)
         place = QtCore.QPoint(x, canvas.height() - 1 - y)
         count = len(FreeCADGui.Selection.getSelectionEx())
@@ -85,7 +84,9 @@ class SelectionTest(GuiCase):
 
     def test_vertex_of_a_sketch_stands_for_its_edges(self):
         sketch = samples.profile(self.doc)
-        form = self.analyze((sketch, "Vertex2"))
+        number = next(number for number, vertex in enumerate(sketch.Shape.Vertexes, start=1)
+                      if vertex.Point.isEqual(samples.V(50, 0, 0), 1e-6))
+        form = self.analyze((sketch, f"Vertex{number}"))
         self.assertIn("<b>G1</b>", form.banner.text.text())
         self.assertEqual([side.name.toolTip() for side in form.edges.sides],
                          ["Profile.Edge1", "Profile.Edge2"])
@@ -147,7 +148,7 @@ class PairTest(GuiCase):
         self.assertIn(">20<", text)
 
     def test_definitions_unfold(self):
-        section = next(part for part in self.form_._sections
+        section = next(part for part in self.form_.sections
                        if part.content is self.form_.definitions)
         self.assertFalse(self.form_.definitions.isVisible())
         self.click(section.header)
@@ -278,7 +279,7 @@ class LayoutTest(GuiCase):
     def test_nothing_is_cut_at_320_pixels(self):
         sketch = samples.profile(self.doc)
         form = self.analyze((sketch, ""))
-        for section in (*form._sections, form._tolerance_section):
+        for section in (*form.sections, form.tolerance_section):
             section.header.setChecked(True)
         form.setMinimumWidth(0)
         form.resize(320, form.height())

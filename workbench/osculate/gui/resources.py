@@ -2,7 +2,7 @@
 
 import os
 
-from osculate.gui.qt import QtGui
+import FreeCADGui
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(__file__), "..", "..", ".."))
 RESOURCES = os.path.join(ROOT, "resources")
@@ -16,7 +16,8 @@ def icon_path(name):
 
 
 def icon(name):
-    return QtGui.QIcon(icon_path(name))
+    """The icon, drawn by FreeCAD: Qt's own reading of SVG is a plugin that may be missing."""
+    return FreeCADGui.getIcon(icon_path(name))
 
 
 def form_path(name):

@@ -13,6 +13,9 @@ def widen_dock(form):
     dock = form.parent()
     while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
         dock = dock.parent()
+    window = FreeCADGui.getMainWindow()
+    if dock is None or window.dockWidgetArea(dock) == Qt.DockWidgetArea.NoDockWidgetArea:
+        return  # it floats over the 3D view and takes the width that it needs
     width = round(_LEAST_WIDTH * form.logicalDpiX() / 96)
-    if dock is not None and dock.width() < width and not dock.isFloating():
-        FreeCADGui.getMainWindow().resizeDocks([dock], [width], Qt.Orientation.Horizontal)
+    if dock.width() < width:
+        window.resizeDocks([dock], [width], Qt.Orientation.Horizontal)

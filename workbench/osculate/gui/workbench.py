@@ -1,6 +1,5 @@
 """The workbench Osculate: what its toolbar and menu hold."""
 
-import FreeCAD
 import FreeCADGui
 from FreeCAD import Qt
 
@@ -17,11 +16,7 @@ class OsculateWorkbench(FreeCADGui.Workbench):
     Icon = resources.icon_path("osculate")
 
     def Initialize(self):
-        try:
-            from osculate.gui import commands  # the compiled core is loaded only when it is used
-        except ImportError as error:
-            FreeCAD.Console.PrintError(f"Osculate: {error}\n")
-            return
+        from osculate.gui import commands  # the panel's modules are loaded when they are used
         names = commands.register()
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Osculate"), names)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Osculate"), names)

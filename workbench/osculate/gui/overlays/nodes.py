@@ -80,13 +80,18 @@ def at(point, *children):
 
 
 def untouchable(*children):
-    """Children drawn over the model that can neither be picked nor change what "fit all" shows."""
-    skip = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    """Children drawn over the model that cannot be picked."""
     pick = coin.SoPickStyle()
     pick.style = coin.SoPickStyle.UNPICKABLE
     annotation = coin.SoAnnotation()
-    annotation.addChild(pick)
-    for child in children:
+    for child in (pick, *children):
         annotation.addChild(child)
-    skip.addChild(annotation)
-    return skip
+    return annotation
+
+
+def without_extent(*children):
+    """Children that do not count as part of the model where a view is fitted to it."""
+    group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    for child in children:
+        group.addChild(child)
+    return group

@@ -13,13 +13,21 @@ from osculate.gui.qt import QtGui
 _SCALER = coin.SoScale()
 
 
+#: What remains of the depth of such children; the rest would reach out of the near and far plane,
+#: which Coin sets close around the model.
+_DEPTH = 1e-3
+
+
 def in_pixels(point, *children):
-    """Children at a point, in a system of their own whose unit is a pixel of the screen."""
+    """Children at a point, in a system of their own whose unit is a pixel of the screen.
+
+    They are flattened towards the screen and do not count where a view is fitted.
+    """
     scale = coin.SoCallback()
     scale.setCallback(_scale_to_pixels)
     node = nodes.at(point, scale, *children)
     node.renderCaching = coin.SoSeparator.OFF
-    return node
+    return nodes.without_extent(node)
 
 
 def _scale_to_pixels(_data, action):
@@ -27,9 +35,13 @@ def _scale_to_pixels(_data, action):
         return
     state = action.getState()
     point = coin.SoModelMatrixElement.get(state).multVecMatrix(coin.SbVec3f(0, 0, 0))
-    size = _pixel_size(coin.SoViewVolumeElement.get(state), point,
+    volume = coin.SoViewVolumeElement.get(state)
+    size = _pixel_size(volume, point,
                        coin.SoViewportRegionElement.get(state).getViewportSizePixels()[1])
-    coin.SoModelMatrixElement.scaleBy(state, _SCALER, coin.SbVec3f(size, size, size))
+    to_view = coin.SbRotation(coin.SbVec3f(0, 0, 1), volume.getProjectionDirection())
+    coin.SoModelMatrixElement.rotateBy(state, _SCALER, to_view)
+    coin.SoModelMatrixElement.scaleBy(state, _SCALER, coin.SbVec3f(size, size, _DEPTH * size))
+    coin.SoModelMatrixElement.rotateBy(state, _SCALER, to_view.inverse())
 
 
 def _pixel_size(volume, point, pixels):

@@ -1,10 +1,11 @@
 """Small pictures for the 3D view: they keep their size and carry their own background.
 
-Each function gives a SoImage that is centred on, or hangs from, the point at which it is placed.
+Each function gives a node that is centred on, or hangs from, the point at which it is placed.
 """
 
 from pivy import coin
 
+from osculate.gui.overlays import nodes
 from osculate.gui.qt import Qt, QtCore, QtGui
 
 _TEXT_COLOR = "#16202b"
@@ -37,7 +38,7 @@ def _image_node(picture, horizontal, vertical):
     node.image.setValue(size, 4, bytes(upright.constBits()))
     node.horAlignment = horizontal
     node.vertAlignment = vertical
-    return node
+    return nodes.without_extent(node)
 
 
 def _centred(picture):

@@ -17,9 +17,17 @@ class OrderTable(ReportLabel):
 
     def _row(self, report, order):
         return (f"<b>{continuity_name(order)}</b> {self.faint(order_word(order))}",
-                numbers.residual(order, report.residuals[order]),
+                _deviation(report, order),
                 self.faint(numbers.residual(order, report.tolerances[order])),
                 self.verdict(report.verdicts[order]))
+
+
+def _deviation(report, order):
+    """The residual; "≈ 0" where it is within what double coordinates carry."""
+    residual, uncertainty = report.residuals[order], report.uncertainties[order]
+    if residual is None or uncertainty is None or residual > uncertainty:
+        return numbers.residual(order, residual)
+    return "≈ " + numbers.residual(order, 0.0)
 
 
 def order_word(order):

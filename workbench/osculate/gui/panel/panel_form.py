@@ -35,7 +35,7 @@ class PanelForm(QtWidgets.QWidget):
         self.definitions = DefinitionsTable()
         self.tolerances = ToleranceBox(options)
         self.actions = ActionsBar(with_keep)
-        self._sections = self._make_sections()
+        self.sections = self._make_sections()
         self._lay_out()
         self._show_parts(has_place=False, has_report=False, has_list=False)
 
@@ -47,13 +47,13 @@ class PanelForm(QtWidgets.QWidget):
         ]
 
     def _lay_out(self):
-        self._tolerance_section = Section(translate("Osculate", "Tolerances"), self.tolerances,
+        self.tolerance_section = Section(translate("Osculate", "Tolerances"), self.tolerances,
                                           "Tolerances", False)
         layout = QtWidgets.QVBoxLayout(self)
         layout.setSpacing(8)
         for widget in (self.follow, self.advice, self.joins, self.edges, self.trouble, self.banner,
-                       self.warnings, self.orders, self.actions, *self._sections,
-                       self._tolerance_section):
+                       self.warnings, self.orders, self.actions, *self.sections,
+                       self.tolerance_section):
             layout.addWidget(widget)
         layout.addStretch(1)
 
@@ -78,7 +78,7 @@ class PanelForm(QtWidgets.QWidget):
     def _show_parts(self, has_place, has_report, has_list):
         self.edges.setVisible(has_place)
         self.joins.setVisible(has_list)
-        for part in (self.banner, self.orders, self.actions, *self._sections):
+        for part in (self.banner, self.orders, self.actions, *self.sections):
             part.setVisible(has_report)
         if not has_report:
             self.warnings.say("")

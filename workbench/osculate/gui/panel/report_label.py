@@ -68,8 +68,8 @@ class ReportLabel(QtWidgets.QLabel):
 
     @staticmethod
     def _line(kind, texts, widths, look):
-        # The inner div keeps Qt from painting a half-clear background again under the text.
+        # Clear backgrounds keep Qt from painting the half-clear one again under each text.
         return "<tr>{}</tr>".format("".join(
-            f'<{kind} width="{width}%" style="{look}">'
-            f'<div style="{_NUMBER if column else _NAME}">{text}</div></{kind}>'
+            f'<{kind} width="{width}%" style="{_NUMBER if column else _NAME};{look}">'
+            f'<span style="background-color:transparent">{text}</span></{kind}>'
             for column, (text, width) in enumerate(zip(texts, widths))))

@@ -1,0 +1,218 @@
+"""Draws the pictures of the documentation beside this file.
+
+    tests/gui/on_screen docs/images/make_pictures.py
+"""
+
+import math
+import os
+import sys
+import time
+import traceback
+
+import FreeCAD
+import FreeCADGui
+import Part
+
+from osculate.features import make_join_check
+from osculate.gui import preferences, resources
+from osculate.gui.panel.panel_form import PanelForm
+from osculate.gui.preferences_page import PreferencesPage
+from osculate.gui.qt import QtCore, QtGui, QtWidgets
+
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+SAMPLE = os.path.join(resources.RESOURCES, "samples", "continuity_g0_to_g4.FCStd")
+LIGHT, DARK = 0xF7F8FAFF, 0x23272EFF
+INK = (0.25, 0.3, 0.36)
+V = FreeCAD.Vector
+
+
+def main():
+    window = FreeCADGui.getMainWindow()
+    window.resize(1400, 900)
+    window.move(0, 0)
+    for dock in window.findChildren(QtWidgets.QDockWidget):
+        dock.setVisible(dock.objectName() in ("Combo View", "Tasks"))
+    FreeCADGui.activateWorkbench("OsculateWorkbench")
+    preferences.parameters().Clear()
+    set_background(LIGHT)
+    draw_checks()
+    draw_panel()
+    draw_definitions()
+    draw_list()
+    draw_overlay()
+    draw_preferences()
+
+
+def draw_checks():
+    """demo.png: a check of each join of the sample, in the tree and in the view."""
+    document = open_sample()
+    for order in range(5):
+        for part in "ab":  # farther apart, to make room for the labels
+            document.getObject(f"G{order}{part}").Placement.Base += V(40.0 * order, -38.0 * (order % 2), 0)
+        check = make_join_check(document, (document.getObject(f"G{order}a"), "Edge1"),
+                                (document.getObject(f"G{order}b"), "Edge1"))
+        check.Label = f"Join {order + 1}"
+    widen_tree()
+    look(document, "viewTop", 1.3)
+    FreeCADGui.Selection.clearSelection()
+    grab("demo")
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_panel():
+    """panel.png: two edges, the panel and the overlay."""
+    document = open_sample()
+    for obj in document.Objects:
+        obj.Visibility = obj.Name in ("G2a", "G2b")
+    look(document, "viewIsometric", 1.2)
+    form = analyze(document, ("G2a", "Edge1"), ("G2b", "Edge1"))
+    grab("panel")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_definitions():
+    """definitions.png: what others would say of two equal arcs that bend to opposite sides."""
+    document = FreeCAD.newDocument("Arcs")
+    for name, circle in (("First", arc(V(0, 20, 0), 20, -150, -90)),
+                         ("Second", arc(V(0, -20, 0), 20, 30, 90))):
+        document.addObject("Part::Feature", name).Shape = circle.toShape()
+    document.recompute()
+    form = analyze(document, ("First", "Edge1"), ("Second", "Edge1"))
+    next(part for part in form.sections
+         if part.content is form.definitions).header.setChecked(True)
+    pump()
+    form.definitions.grab().save(os.path.join(FOLDER, "definitions.png"))
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_list():
+    """list.png: all joins of a sketch, worst first."""
+    document = FreeCAD.newDocument("Profile")
+    sketch = document.addObject("Sketcher::SketchObject", "Profile")
+    sketch.addGeometry(Part.LineSegment(V(0, 0, 0), V(50, 0, 0)))
+    sketch.addGeometry(arc(V(50, 20, 0), 20, -90, 0))
+    sketch.addGeometry(arc(V(110, 20, 0), 40, 90, 180))
+    spline = Part.BSplineCurve()
+    spline.interpolate([V(110, 60, 0), V(140, 70, 0), V(170, 40, 0), V(200, 60, 0)])
+    sketch.addGeometry(spline)
+    sketch.addGeometry(Part.LineSegment(V(200, 60.02, 0), V(230, 100, 0)))
+    document.recompute()
+    sketch.ViewObject.LineColor = INK
+    sketch.ViewObject.LineWidth = 3.0
+    look(document, "viewTop", 1.2)
+    form = analyze(document, ("Profile", ""))
+    form.joins.view.selectRow(2)
+    pump()
+    grab("list")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_overlay():
+    """overlay.png: a close look at the 3D view, on dark."""
+    document = open_sample()
+    for obj in document.Objects:
+        obj.Visibility = obj.Name in ("G1a", "G1b")
+    set_background(DARK)
+    analyze(document, ("G1a", "Edge1"), ("G1b", "Edge1"))
+    look(document, "viewIsometric", 1.4)
+    FreeCADGui.getDocument(document.Name).ActiveView.saveImage(
+        os.path.join(FOLDER, "overlay.png"), 900, 520, "Current")
+    FreeCADGui.Control.closeDialog()
+    set_background(LIGHT)
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_preferences():
+    """preferences.png: the page of the preferences."""
+    page = PreferencesPage()
+    page.loadSettings()
+    page.form.resize(480, 400)
+    page.form.show()
+    pump()
+    page.form.grab().save(os.path.join(FOLDER, "preferences.png"))
+    page.form.close()
+
+
+def open_sample():
+    document = FreeCAD.openDocument(SAMPLE)
+    for obj in document.Objects:
+        obj.Visibility = True  # the sample was made without a GUI, which knows of no visibility
+        obj.ViewObject.LineWidth = 3.0
+        obj.ViewObject.LineColor = INK
+        obj.ViewObject.PointSize = 5.0
+    return document
+
+
+def arc(center, radius, first, last):
+    circle = Part.Circle(center, V(0, 0, 1), radius)
+    return Part.ArcOfCircle(circle, math.radians(first), math.radians(last))
+
+
+def analyze(document, *targets):
+    """The command on (object name, sub-element) pairs; returns the panel's form."""
+    FreeCADGui.Selection.clearSelection()
+    for name, sub in targets:
+        FreeCADGui.Selection.addSelection(document.Name, name, sub)
+    FreeCADGui.runCommand("Osculate_AnalyzeJoin")
+    pump()
+    FreeCADGui.Selection.clearSelection()  # its green would hide the model's colours
+    pump()
+    return next(widget for widget in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget)
+                if isinstance(widget, PanelForm))
+
+
+def look(document, view_name, magnified=1.0):
+    """Fits the model into a standard view, and then goes nearer."""
+    view = FreeCADGui.getDocument(document.Name).ActiveView
+    view.setAnimationEnabled(False)
+    view.setCameraType("Orthographic")
+    getattr(view, view_name)()
+    view.fitAll()
+    height = view.getCameraNode().height
+    height.setValue(height.getValue() / magnified)
+    pump()
+
+
+def set_background(color):
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    group.SetBool("Gradient", False)
+    group.SetBool("Simple", True)
+    group.SetUnsigned("BackgroundColor", color)
+
+
+def widen_tree():
+    window = FreeCADGui.getMainWindow()
+    docks = [dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
+    window.resizeDocks(docks, [300] * len(docks), QtCore.Qt.Orientation.Horizontal)
+    pump()
+
+
+def grab(name):
+    """The window as the screen shows it."""
+    pump()
+    size = FreeCADGui.getMainWindow().size()
+    screen = QtGui.QGuiApplication.primaryScreen()
+    picture = screen.grabWindow(0, 0, 0, size.width(), size.height())
+    picture.save(os.path.join(FOLDER, f"{name}.png"))
+
+
+def pump(seconds=0.5):
+    """Lets FreeCAD paint."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtWidgets.QApplication.processEvents()
+        time.sleep(0.005)
+
+
+STATUS = 1
+try:
+    print("--- begin ---", file=sys.__stdout__)
+    main()
+    STATUS = 0
+except BaseException:
+    traceback.print_exc(file=sys.__stdout__)
+sys.__stdout__.flush()
+os._exit(STATUS)
