@@ -6,9 +6,11 @@ namespace osculate {
 
 namespace {
 
-JoinSide sideOf(const double* poles, const double* weights, int degree, std::size_t row, CurveEnd end) {
+JoinSide sideOf(const double* poles, const double* weights, int degree, std::size_t row,
+                CurveEnd end) {
   const std::size_t count = static_cast<std::size_t>(degree) + 1;
-  return {{poles + 3 * count * row, weights == nullptr ? nullptr : weights + count * row, degree}, end};
+  return {{poles + 3 * count * row, weights == nullptr ? nullptr : weights + count * row, degree},
+          end};
 }
 
 /// Where the results of one row go.
@@ -20,15 +22,16 @@ BatchOutput rowOf(const BatchOutput& output, std::size_t row, std::size_t column
 void store(const JoinDecision& decision, std::size_t columns, const BatchOutput& row) {
   *row.order = static_cast<std::int8_t>(decision.order);
   *row.parametricOrder = static_cast<std::int8_t>(decision.parametricOrder);
-  for (std::size_t k = 0; k < columns; ++k) row.verdicts[k] = static_cast<std::uint8_t>(decision.verdicts[k]);
+  for (std::size_t k = 0; k < columns; ++k)
+    row.verdicts[k] = static_cast<std::uint8_t>(decision.verdicts[k]);
   std::copy_n(decision.residuals.begin(), columns, row.residuals);
   std::copy_n(decision.uncertainties.begin(), columns, row.uncertainties);
 }
 
 }  // namespace
 
-std::size_t analyzeBatch(const BatchInput& input, const BatchOutput& output, const AnalysisOptions& options,
-                         const Progress& progress) {
+std::size_t analyzeBatch(const BatchInput& input, const BatchOutput& output,
+                         const AnalysisOptions& options, const Progress& progress) {
   constexpr std::size_t kBetweenReports = 65536;
   const auto columns = static_cast<std::size_t>(options.order) + 1;
   for (std::size_t row = 0; row < input.count; ++row) {

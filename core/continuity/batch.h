@@ -8,8 +8,8 @@
 
 namespace osculate {
 
-/// Joins of equal degrees in contiguous arrays: the end of the first segment against the start of the
-/// second. Poles (count, degree+1, 3), weights (count, degree+1) or null. Nothing is checked.
+/// Joins of equal degrees in contiguous arrays: the end of the first segment against the start of
+/// the second. Poles (count, degree+1, 3), weights (count, degree+1) or null. Nothing is checked.
 struct BatchInput {
   std::size_t count = 0;
   const double* firstPoles = nullptr;

@@ -24,7 +24,8 @@ double reachFrom(const BSplineCurve& curve, const Vector3& join) {
 }
 
 /// The side of a curve that has the segment at the join.
-JoinSide sideOf(const BSplineCurve& curve, const BezierSegment& segment, CurveEnd end, double reach) {
+JoinSide sideOf(const BSplineCurve& curve, const BezierSegment& segment, CurveEnd end,
+                double reach) {
   const BezierView view = segment.curve.view();
   if (isBackAtJoin(reach, view, end)) [[unlikely]] {
     const Vector3 join = view.pole(end == CurveEnd::kStart ? 0 : view.degree);
@@ -39,8 +40,8 @@ JoinSide sideOf(const BSplineCurve& curve, const BezierSegment& segment, CurveEn
 /// An error beyond the rounding of an exact conversion.
 void markApproximated(const BSplineCurve& curve, JoinReport& report) {
   constexpr double kRounding = 1000.0 * kUnitRoundoff;
-  const double size = std::max({curve.endPoint(CurveEnd::kStart).norm(), curve.endPoint(CurveEnd::kEnd).norm(),
-                                curve.middlePoint().norm()});
+  const double size = std::max({curve.endPoint(CurveEnd::kStart).norm(),
+                                curve.endPoint(CurveEnd::kEnd).norm(), curve.middlePoint().norm()});
   if (curve.poleError() > kRounding * size) report.warnings.add(Warning::kApproximated);
 }
 
@@ -48,8 +49,9 @@ CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds
                  const AnalysisOptions& options) {
   BezierSegment arriving = first.endSegment(ends.first);
   BezierSegment leaving = second.endSegment(ends.second);
-  JoinReport report = analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
-                                  sideOf(second, leaving, ends.second, reachFrom(second, ends.second)), options);
+  JoinReport report =
+      analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
+                  sideOf(second, leaving, ends.second, reachFrom(second, ends.second)), options);
   markApproximated(first, report);
   markApproximated(second, report);
   return {report, arriving, leaving, std::nullopt};
@@ -57,12 +59,14 @@ CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds
 
 }  // namespace
 
-NearestEnds nearestEnds(const BSplineCurve& first, const BSplineCurve& second, double gapTolerance) {
+NearestEnds nearestEnds(const BSplineCurve& first, const BSplineCurve& second,
+                        double gapTolerance) {
   using enum CurveEnd;
   const auto distance = [&](JoinEnds ends) {
     return (first.endPoint(ends.first) - second.endPoint(ends.second)).norm();
   };
-  constexpr std::array<JoinEnds, 4> kPairs{{{kEnd, kStart}, {kStart, kEnd}, {kEnd, kEnd}, {kStart, kStart}}};
+  constexpr std::array<JoinEnds, 4> kPairs{
+      {{kEnd, kStart}, {kStart, kEnd}, {kEnd, kEnd}, {kStart, kStart}}};
   std::array<double, 4> distances;
   std::transform(kPairs.begin(), kPairs.end(), distances.begin(), distance);
   const double least = *std::min_element(distances.begin(), distances.end());
@@ -79,13 +83,14 @@ void checkOptions(const AnalysisOptions& options) {
                                 std::to_string(options.order));
   }
   if (!(std::isfinite(options.scaleMm) && options.scaleMm >= 0.0)) {
-    throw std::invalid_argument("scale_mm: must be finite and > 0, got " + std::to_string(options.scaleMm));
+    throw std::invalid_argument("scale_mm: must be finite and > 0, got " +
+                                std::to_string(options.scaleMm));
   }
   options.tolerances.check();
 }
 
-CurveJoin analyzeCurves(const BSplineCurve& first, const BSplineCurve& second, const AnalysisOptions& options,
-                        std::optional<JoinEnds> ends) {
+CurveJoin analyzeCurves(const BSplineCurve& first, const BSplineCurve& second,
+                        const AnalysisOptions& options, std::optional<JoinEnds> ends) {
   checkOptions(options);
   if (ends) return joinAt(first, second, *ends, options);
   const NearestEnds nearest = nearestEnds(first, second, options.tolerances.gapMm);
@@ -94,8 +99,8 @@ CurveJoin analyzeCurves(const BSplineCurve& first, const BSplineCurve& second, c
   return join;
 }
 
-JoinReport reportCurves(const BSplineCurve& first, const BSplineCurve& second, const AnalysisOptions& options,
-                        JoinEnds ends) {
+JoinReport reportCurves(const BSplineCurve& first, const BSplineCurve& second,
+                        const AnalysisOptions& options, JoinEnds ends) {
   const BezierSegment arriving = first.endSegment(ends.first);
   const BezierSegment leaving = second.endSegment(ends.second);
   return analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
@@ -114,7 +119,8 @@ std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const Analys
   const auto knots = curve.innerKnots();
   BezierSegment before = curve.segment(0);
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (progress && !progress(static_cast<double>(i) / static_cast<double>(knots.size()))) return joins;
+    if (progress && !progress(static_cast<double>(i) / static_cast<double>(knots.size())))
+      return joins;
     const BezierSegment after = curve.segment(knots[i].spanAfter);
     const double reach = reachFrom(curve, after.curve.pole(0));
     CurveJoin join{analyzeJoin(sideOf(curve, before, CurveEnd::kEnd, reach),

@@ -1,4 +1,5 @@
-// The joins of whole curves: two curves at their ends, one curve at its inner knots and its closing.
+// The joins of whole curves: two curves at their ends, one curve at its inner knots and its
+// closing.
 #pragma once
 
 #include <functional>
@@ -25,14 +26,19 @@ struct CurveJoin {
   std::optional<double> parameter;  ///< of an inner knot
 };
 
-/// The ends that lie nearest; (end, start) where several pairs are equally near within the gap tolerance.
-struct NearestEnds { JoinEnds ends; bool touchesAtBothEnds = false; };
+/// The ends that lie nearest; (end, start) where several pairs are equally near within the gap
+/// tolerance.
+struct NearestEnds {
+  JoinEnds ends;
+  bool touchesAtBothEnds = false;
+};
 NearestEnds nearestEnds(const BSplineCurve& first, const BSplineCurve& second, double gapTolerance);
 
 /// Throws std::invalid_argument: order outside 0..kMaxOrder, bad tolerances, negative scale.
 void checkOptions(const AnalysisOptions& options);
 
-/// Two curves at the given ends, or at the nearest ones. Throws std::invalid_argument for bad options.
+/// Two curves at the given ends, or at the nearest ones. Throws std::invalid_argument for bad
+/// options.
 CurveJoin analyzeCurves(const BSplineCurve& first, const BSplineCurve& second,
                         const AnalysisOptions& options = {}, std::optional<JoinEnds> ends = {});
 /// The report alone, without allocation: what the benchmarks time.
@@ -45,7 +51,8 @@ CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& optio
 /// Every inner knot, then the closing join if the curve is closed within the gap tolerance.
 /// `progress` gets the share done (0..1); returning false stops, and what was done is returned.
 using Progress = std::function<bool(double)>;
-std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const AnalysisOptions& options = {},
+std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve,
+                                         const AnalysisOptions& options = {},
                                          const Progress& progress = {});
 
 }  // namespace osculate

@@ -35,19 +35,23 @@ template <int N>
 template <int N>
 [[gnu::always_inline]] inline void setBeta(const ArcJet<N, Lanes>& arc, JoinReport& report) {
   std::array<double, N + 1> s;  // of the second curve's parameter
-  for (std::size_t k = 0; k <= N; ++k) s[k] = arc.arcLength[k][1];
+  for (std::size_t k = 0; k <= N; ++k)
+    s[k] = arc.arcLength[k][1];
   std::array<double, N + 1> sum{};
   std::array<double, N + 1> power = s;  // s^j
   for (std::size_t j = 1; j <= N; ++j) {
     const double outward = arc.parameter[j][0];
     const double forward = j % 2 == 1 ? outward : -outward;  // -t(-s) of the arriving curve
-    for (std::size_t k = j; k <= N; ++k) sum[k] += forward * power[k];
+    for (std::size_t k = j; k <= N; ++k)
+      sum[k] += forward * power[k];
     // from the highest coefficient down, so that s^(j+1) can take the place of s^j
     for (std::size_t k = N; k > j; --k) {
-      power[k] = series::nextPower(s.data(), power.data(), static_cast<int>(j + 1), static_cast<int>(k));
+      power[k] =
+          series::nextPower(s.data(), power.data(), static_cast<int>(j + 1), static_cast<int>(k));
     }
   }
-  for (std::size_t k = 1; k <= N; ++k) report.beta[k - 1] = detail::kFactorials[k] * sum[k];
+  for (std::size_t k = 1; k <= N; ++k)
+    report.beta[k - 1] = detail::kFactorials[k] * sum[k];
 }
 
 /// beta_k exists up to the order before the first that fails, between regular ends.
@@ -63,14 +67,16 @@ int betaCount(const JoinReport& report) {
 
 template <int N>
 [[gnu::always_inline]] inline void describeSide(const JoinSide& side, const Ends<N>& ends,
-                                                const ArcNumbers<Lanes>& numbers, int lane, JoinReport& report) {
+                                                const ArcNumbers<Lanes>& numbers, int lane,
+                                                JoinReport& report) {
   const auto i = static_cast<std::size_t>(lane);
   SideReport& out = report.sides[i];
   out.end = side.end;
   out.point = ends.jets[i].point;
   out.multiplicity = ends.multiplicity[i];
   out.smoothness = ends.multiplicity[i] > 1 ? ends.smoothness[i] : kMaxOrder;
-  out.linearity = legsOnTangent(side.segment, side.end, lineTolerance(ends.jets[i].size, side.poleError));
+  out.linearity =
+      legsOnTangent(side.segment, side.end, lineTolerance(ends.jets[i].size, side.poleError));
   const double flatBelow = std::max(ends.arc.error[2][lane], kFlatness / report.scaleMm);
   storeNumbers(numbers, lane, ends.smoothness[i], flatBelow, out.frame, out.invariants);
 }
@@ -81,13 +87,14 @@ void setFrame(const JoinSide& side, JoinReport& report) {
   report.frame = first.frame;
   report.frameKind = first.multiplicity > 1 ? FrameKind::kFictitiousTangent : FrameKind::kFrenet;
   if (first.frame.normal) return;
-  const EndFrame chosen =
-      fictitiousFrame(side.segment, side.end, first.frame.tangent, first.multiplicity > 1, side.poleError);
+  const EndFrame chosen = fictitiousFrame(side.segment, side.end, first.frame.tangent,
+                                          first.multiplicity > 1, side.poleError);
   report.frame = chosen.frame;
   report.frameKind = chosen.kind;
 }
 
-std::optional<double> absoluteDifference(const std::optional<double>& a, const std::optional<double>& b) {
+std::optional<double> absoluteDifference(const std::optional<double>& a,
+                                         const std::optional<double>& b) {
   if (!a || !b) return std::nullopt;
   return std::abs(*a - *b);
 }
@@ -102,7 +109,8 @@ void setDeviation(const Ends<N>& ends, const ArcNumbers<Lanes>& numbers, JoinRep
   if (exists >= 2) {
     deviation.curvatureVectorPerMm = std::sqrt(kernel::squaredDifference(ends.arc.r[2], 2));
     const double larger = std::max(numbers.curvature[0], numbers.curvature[1]);
-    if (larger > 0.0) deviation.curvatureRelative = std::abs(numbers.curvature[0] - numbers.curvature[1]) / larger;
+    if (larger > 0.0)
+      deviation.curvatureRelative = std::abs(numbers.curvature[0] - numbers.curvature[1]) / larger;
   }
   if (first.frame.binormal && second.frame.binormal) {
     deviation.osculatingPlaneAngleDegrees =
@@ -111,13 +119,15 @@ void setDeviation(const Ends<N>& ends, const ArcNumbers<Lanes>& numbers, JoinRep
   deviation.torsionPerMm = absoluteDifference(first.invariants.torsion, second.invariants.torsion);
   deviation.curvatureRatePerMm2 =
       absoluteDifference(first.invariants.curvatureRate, second.invariants.curvatureRate);
-  deviation.torsionRatePerMm2 = absoluteDifference(first.invariants.torsionRate, second.invariants.torsionRate);
+  deviation.torsionRatePerMm2 =
+      absoluteDifference(first.invariants.torsionRate, second.invariants.torsionRate);
   deviation.curvatureRate2PerMm3 =
       absoluteDifference(first.invariants.curvatureRate2, second.invariants.curvatureRate2);
 }
 
 template <int N>
-void setWarnings(const Ends<N>& ends, const std::array<BezierView, 2>& segments, JoinReport& report) {
+void setWarnings(const Ends<N>& ends, const std::array<BezierView, 2>& segments,
+                 JoinReport& report) {
   for (std::size_t k = 0; k <= static_cast<std::size_t>(report.requestedOrder); ++k) {
     if (report.verdicts[k] == Verdict::kUndecided) report.warnings.add(Warning::kUndecided);
   }
@@ -127,17 +137,21 @@ void setWarnings(const Ends<N>& ends, const std::array<BezierView, 2>& segments,
     const SideReport& side = report.sides[i];
     if (side.multiplicity > 1) {
       report.warnings.add(Warning::kDegenerateTangent);
-      if (side.smoothness < report.requestedOrder) report.warnings.add(Warning::kFractionalSmoothness);
+      if (side.smoothness < report.requestedOrder)
+        report.warnings.add(Warning::kFractionalSmoothness);
     }
     const bool straight = side.linearity == segments[i].degree;
-    if (side.smoothness >= 2 && !side.frame.normal && !straight) report.warnings.add(Warning::kNearFlat);
+    if (side.smoothness >= 2 && !side.frame.normal && !straight)
+      report.warnings.add(Warning::kNearFlat);
   }
   constexpr double kFar = 1e6;
-  if (std::max(ends.jets[0].size, ends.jets[1].size) > kFar * report.scaleMm) report.warnings.add(Warning::kFarFromOrigin);
+  if (std::max(ends.jets[0].size, ends.jets[1].size) > kFar * report.scaleMm)
+    report.warnings.add(Warning::kFarFromOrigin);
 }
 
 template <int N>
-JoinReport analyze(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
+JoinReport analyze(const JoinSide& arriving, const JoinSide& leaving,
+                   const AnalysisOptions& options) {
   JoinReport report;
   report.requestedOrder = options.order;
   report.preset = options.tolerances.name;
@@ -164,7 +178,8 @@ JoinReport analyze(const JoinSide& arriving, const JoinSide& leaving, const Anal
 }
 
 template <int N>
-JoinDecision decision(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
+JoinDecision decision(const JoinSide& arriving, const JoinSide& leaving,
+                      const AnalysisOptions& options) {
   JoinDecision result;
   const double scale = kernel::scaleOf(arriving, leaving, options);
   kernel::decide(Ends<N>(arriving, leaving), arriving, leaving, scale, options, result);
@@ -173,11 +188,14 @@ JoinDecision decision(const JoinSide& arriving, const JoinSide& leaving, const A
 
 }  // namespace
 
-JoinReport analyzeJoin(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
-  return options.order <= 4 ? analyze<4>(arriving, leaving, options) : analyze<kMaxOrder>(arriving, leaving, options);
+JoinReport analyzeJoin(const JoinSide& arriving, const JoinSide& leaving,
+                       const AnalysisOptions& options) {
+  return options.order <= 4 ? analyze<4>(arriving, leaving, options)
+                            : analyze<kMaxOrder>(arriving, leaving, options);
 }
 
-JoinDecision decideJoin(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
+JoinDecision decideJoin(const JoinSide& arriving, const JoinSide& leaving,
+                        const AnalysisOptions& options) {
   return options.order <= 4 ? decision<4>(arriving, leaving, options)
                             : decision<kMaxOrder>(arriving, leaving, options);
 }
@@ -202,10 +220,13 @@ double reachOf(BezierView segment, CurveEnd end) {
   const Vector3 join = segment.pole(end == CurveEnd::kStart ? 0 : n);
   const Vector3 other = segment.pole(end == CurveEnd::kStart ? n : 0);
   const Vector3 middle = Vector3(x, y, z) / weights;
-  const double reach = std::sqrt(std::max((other - join).squaredNorm(), (middle - join).squaredNorm()));
-  if (!isBackAtJoin(reach, segment, end)) [[likely]] return reach;
+  const double reach =
+      std::sqrt(std::max((other - join).squaredNorm(), (middle - join).squaredNorm()));
+  if (!isBackAtJoin(reach, segment, end)) [[likely]]
+    return reach;
   const BezierCurve curve(segment);
-  return std::max((curve.evaluate(kGoldenSection) - join).norm(), (curve.evaluate(1.0 - kGoldenSection) - join).norm());
+  return std::max((curve.evaluate(kGoldenSection) - join).norm(),
+                  (curve.evaluate(1.0 - kGoldenSection) - join).norm());
 }
 
 bool isBackAtJoin(double reach, BezierView segment, CurveEnd end) {

@@ -62,11 +62,14 @@ inline Ends<N>::Ends(const JoinSide& arriving, const JoinSide& leaving)
     error[k] = Lanes(a.error[k], b.error[k]);
   }
   setArcJet<N, Lanes>(c, error, arc);
-  if (isSingular(a)) [[unlikely]] replaceSingular(arriving, 0, *this);
-  if (isSingular(b)) [[unlikely]] replaceSingular(leaving, 1, *this);
+  if (isSingular(a)) [[unlikely]]
+    replaceSingular(arriving, 0, *this);
+  if (isSingular(b)) [[unlikely]]
+    replaceSingular(leaving, 1, *this);
 }
 
-inline double scaleOf(const JoinSide& arriving, const JoinSide& leaving, const AnalysisOptions& options) {
+inline double scaleOf(const JoinSide& arriving, const JoinSide& leaving,
+                      const AnalysisOptions& options) {
   if (options.scaleMm > 0.0) return options.scaleMm;
   const auto reach = [](const JoinSide& side) {
     return side.reach > 0.0 ? side.reach : reachOf(side.segment, side.end);
@@ -74,13 +77,16 @@ inline double scaleOf(const JoinSide& arriving, const JoinSide& leaving, const A
   return std::min(reach(arriving), reach(leaving));
 }
 
-/// Angle in radians, 0..pi, between unit vectors; exact for small and for nearly opposite ones alike.
+/// Angle in radians, 0..pi, between unit vectors; exact for small and for nearly opposite ones
+/// alike.
 inline double angleBetween(const Vector3& a, const Vector3& b) {
   const double half = 0.5 * (a - b).norm();
   if (half < 0.05) {
     // 2 asin(half): the next term of the series is below 1e-16 of the sum
     const double x = half * half;
-    return 2.0 * half * (1.0 + x * (1.0 / 6 + x * (3.0 / 40 + x * (15.0 / 336 + x * (105.0 / 3456 + x * (945.0 / 42240))))));
+    return 2.0 * half *
+           (1.0 + x * (1.0 / 6 + x * (3.0 / 40 + x * (15.0 / 336 +
+                                                      x * (105.0 / 3456 + x * (945.0 / 42240))))));
   }
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -99,12 +105,14 @@ inline Verdict judge(double residual, double uncertainty, double tolerance) {
 }
 
 template <int N>
-[[gnu::always_inline]] inline void setResiduals(const Ends<N>& ends, double scale, JoinDecision& decision) {
+[[gnu::always_inline]] inline void setResiduals(const Ends<N>& ends, double scale,
+                                                JoinDecision& decision) {
   const auto& [a, b] = ends.jets;
   const auto& arc = ends.arc;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   decision.residuals[0] = (a.point - b.point).norm();
-  decision.uncertainties[0] = a.pointError + b.pointError + 4.0 * kUnitRoundoff * decision.residuals[0];
+  decision.uncertainties[0] =
+      a.pointError + b.pointError + 4.0 * kUnitRoundoff * decision.residuals[0];
   const int exists = ends.commonSmoothness();
   decision.residuals[1] =
       exists < 1 ? kInfinity : kDegrees * angleBetween(-lane(arc.r[1], 0), lane(arc.r[1], 1));
@@ -133,7 +141,8 @@ template <int N>
 template <int N>
 [[gnu::always_inline]] inline void setParametricOrder(const Ends<N>& ends, const JoinSide& arriving,
                                                       const JoinSide& leaving, double scale,
-                                                      const AnalysisOptions& options, JoinDecision& decision) {
+                                                      const AnalysisOptions& options,
+                                                      JoinDecision& decision) {
   decision.parametricResiduals[0] = decision.residuals[0];
   decision.parametricOrder = decision.verdicts[0] == Verdict::kPass ? 0 : -1;
   const Lanes perUnit = Lanes(1.0) / Lanes(arriving.span, leaving.span);
@@ -145,7 +154,8 @@ template <int N>
     factor *= perUnit * Lanes(static_cast<double>(k));
     const LanesVector derivative = ends.c[k] * factor;
     const Lanes squared = derivative.squaredNorm();
-    const Lanes roots = sqrt(Lanes(std::max(squared[0], squared[1]), squaredDifference(derivative, k)));
+    const Lanes roots =
+        sqrt(Lanes(std::max(squared[0], squared[1]), squaredDifference(derivative, k)));
     if (k == 1) speedOverScale = roots[0] / scale;
     least *= speedOverScale;
     const double size = std::max(roots[0], least);
@@ -153,14 +163,15 @@ template <int N>
     decision.parametricResiduals[k] = size > 0.0 ? roots[1] / size : 0.0;
     const double tolerance = k == 1 ? options.tolerances.angleDegrees / kDegrees
                                     : options.tolerances.ofOrder(static_cast<int>(k));
-    if (roots[1] + errors[0] + errors[1] <= tolerance * size) decision.parametricOrder = static_cast<int>(k);
+    if (roots[1] + errors[0] + errors[1] <= tolerance * size)
+      decision.parametricOrder = static_cast<int>(k);
   }
 }
 
 template <int N>
-[[gnu::always_inline]] inline void decide(const Ends<N>& ends, const JoinSide& arriving, const JoinSide& leaving,
-                                          double scale, const AnalysisOptions& options,
-                                          JoinDecision& decision) {
+[[gnu::always_inline]] inline void decide(const Ends<N>& ends, const JoinSide& arriving,
+                                          const JoinSide& leaving, double scale,
+                                          const AnalysisOptions& options, JoinDecision& decision) {
   setResiduals(ends, scale, decision);
   decision.order = -1;
 #pragma GCC unroll 9

@@ -18,13 +18,13 @@ using PerOrder = std::array<double, kMaxOrder + 1>;
 
 /// One side of the join, in the direction of travel.
 struct SideReport {
-  CurveEnd end = CurveEnd::kEnd;   ///< which end of its curve lies at the join
-  Vector3 point = Vector3::Zero(); ///< mm
-  FrenetFrame frame;               ///< tangent, and normal and binormal where they exist
-  Invariants invariants;           ///< curvature, torsion and their rates by arc length
-  int linearity = 0;               ///< legs of the control polygon on the tangent, from the join
-  int multiplicity = 1;            ///< 1 regular; m > 1: the first m-1 derivatives are zero
-  int smoothness = kMaxOrder;      ///< arc-length derivatives that exist, at most kMaxOrder
+  CurveEnd end = CurveEnd::kEnd;    ///< which end of its curve lies at the join
+  Vector3 point = Vector3::Zero();  ///< mm
+  FrenetFrame frame;                ///< tangent, and normal and binormal where they exist
+  Invariants invariants;            ///< curvature, torsion and their rates by arc length
+  int linearity = 0;                ///< legs of the control polygon on the tangent, from the join
+  int multiplicity = 1;             ///< 1 regular; m > 1: the first m-1 derivatives are zero
+  int smoothness = kMaxOrder;       ///< arc-length derivatives that exist, at most kMaxOrder
 };
 
 /// Physical deviations between the sides; empty where a side has no such number.
@@ -45,7 +45,8 @@ struct JoinDecision {
   int order = -1;            ///< highest m with orders 0..m all passing; -1: a gap
   int parametricOrder = -1;  ///< the same for C^m in the curves' own parameters
   std::array<Verdict, kMaxOrder + 1> verdicts{};
-  PerOrder residuals{};      ///< mm, degrees, then dimensionless; infinite where a side has no such derivative
+  PerOrder residuals{};      ///< mm, degrees, then dimensionless; infinite where a side has no such
+                             ///< derivative
   PerOrder uncertainties{};  ///< bounds of the error of the residuals that doubles carry
   /// mm, then dimensionless (order 1 against the angle in radians); up to parametricOrder + 1
   PerOrder parametricResiduals{};
@@ -54,9 +55,9 @@ struct JoinDecision {
 struct JoinReport : JoinDecision {
   int requestedOrder = 4;
   PerOrder tolerances{};
-  std::string_view preset;       ///< name of the tolerances
+  std::string_view preset;                            ///< name of the tolerances
   CurvatureMetric metric = CurvatureMetric::kVector;  ///< of the preset
-  double scaleMm = 0.0;          ///< L, the length the residuals of order >= 2 refer to
+  double scaleMm = 0.0;                  ///< L, the length the residuals of order >= 2 refer to
   std::array<double, kMaxOrder> beta{};  ///< beta[k-1] = beta_k, for k <= betaCount
   int betaCount = 0;
   Deviation deviation;

@@ -17,20 +17,23 @@ Json vector(const std::optional<Vector3>& v) { return v ? vector(*v) : Json(null
 
 Json perOrder(const PerOrder& values, int order) {
   Json list = Json::array();
-  for (int k = 0; k <= order; ++k) list.push_back(number(values[static_cast<std::size_t>(k)]));
+  for (int k = 0; k <= order; ++k)
+    list.push_back(number(values[static_cast<std::size_t>(k)]));
   return list;
 }
 
 Json verdicts(const JoinReport& report) {
   Json list = Json::array();
-  for (int k = 0; k <= report.requestedOrder; ++k) list.push_back(name(report.verdicts[static_cast<std::size_t>(k)]));
+  for (int k = 0; k <= report.requestedOrder; ++k)
+    list.push_back(name(report.verdicts[static_cast<std::size_t>(k)]));
   return list;
 }
 
 Json betas(const JoinReport& report) {
   Json list = Json::array();
   for (int k = 1; k <= report.requestedOrder; ++k) {
-    list.push_back(k <= report.betaCount ? number(report.beta[static_cast<std::size_t>(k - 1)]) : Json(nullptr));
+    list.push_back(k <= report.betaCount ? number(report.beta[static_cast<std::size_t>(k - 1)])
+                                         : Json(nullptr));
   }
   return list;
 }
@@ -62,11 +65,13 @@ Json segment(const BezierSegment& s) {
 
 Json rows(const Eigen::Matrix<double, 5, 3>& matrix) {
   Json list = Json::array();
-  for (int k = 0; k < 5; ++k) list.push_back({matrix(k, 0), matrix(k, 1), matrix(k, 2)});
+  for (int k = 0; k < 5; ++k)
+    list.push_back({matrix(k, 0), matrix(k, 1), matrix(k, 2)});
   return list;
 }
 
-Json side(const SideReport& s, const BezierSegment& bezier, const Eigen::Matrix<double, 5, 3>& derivatives) {
+Json side(const SideReport& s, const BezierSegment& bezier,
+          const Eigen::Matrix<double, 5, 3>& derivatives) {
   const bool hasTangent = s.smoothness >= 1;
   return {{"end", s.end == CurveEnd::kStart ? "start" : "end"},
           {"point", vector(s.point)},
@@ -89,12 +94,13 @@ Json definitions(const JoinReport& report) {
   for (int i = 0; i < kDefinitionCount; ++i) {
     const DefinitionResult& result = report.definitions[static_cast<std::size_t>(i)];
     const DefinitionInfo& about = info(static_cast<Definition>(i));
-    all[std::string(about.name)] = {{"verdict", result.verdict ? Json(name(*result.verdict)) : Json(nullptr)},
-                                    {"value", result.verdict ? number(result.value) : Json(nullptr)},
-                                    {"tolerance", result.verdict ? number(result.tolerance) : Json(nullptr)},
-                                    {"unit", about.unit},
-                                    {"who", about.who},
-                                    {"meaning", about.meaning}};
+    all[std::string(about.name)] = {
+        {"verdict", result.verdict ? Json(name(*result.verdict)) : Json(nullptr)},
+        {"value", result.verdict ? number(result.value) : Json(nullptr)},
+        {"tolerance", result.verdict ? number(result.tolerance) : Json(nullptr)},
+        {"unit", about.unit},
+        {"who", about.who},
+        {"meaning", about.meaning}};
   }
   return all;
 }
@@ -126,11 +132,13 @@ nlohmann::ordered_json toJson(const CurveJoin& join) {
           {"beta", betas(report)},
           {"scale_mm", report.scaleMm},
           {"deviation", deviation(report.deviation)},
-          {"sides", {side(report.sides[0], join.firstSegment, report.derivativesInFrame[0]),
-                     side(report.sides[1], join.secondSegment, report.derivativesInFrame[1])}},
-          {"frame", {{"tangent", vector(report.frame.tangent)},
-                     {"normal", vector(report.frame.normal)},
-                     {"binormal", vector(report.frame.binormal)}}},
+          {"sides",
+           {side(report.sides[0], join.firstSegment, report.derivativesInFrame[0]),
+            side(report.sides[1], join.secondSegment, report.derivativesInFrame[1])}},
+          {"frame",
+           {{"tangent", vector(report.frame.tangent)},
+            {"normal", vector(report.frame.normal)},
+            {"binormal", vector(report.frame.binormal)}}},
           {"frame_kind", name(report.frameKind)},
           {"definitions", definitions(report)},
           {"warnings", warnings(report.warnings)},

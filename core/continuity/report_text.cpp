@@ -31,17 +31,23 @@ std::string orderName(int order) { return order < 0 ? "gap" : format("G%d", orde
 
 std::string_view sign(Verdict verdict) {
   switch (verdict) {
-    case Verdict::kPass: return "pass";
-    case Verdict::kFail: return "FAIL";
-    case Verdict::kUndecided: return "undecided";
+    case Verdict::kPass:
+      return "pass";
+    case Verdict::kFail:
+      return "FAIL";
+    case Verdict::kUndecided:
+      return "undecided";
   }
   return "";
 }
 
-std::string optional(const std::optional<double>& value) { return value ? format("%13.6g", *value) : format("%13s", "-"); }
+std::string optional(const std::optional<double>& value) {
+  return value ? format("%13.6g", *value) : format("%13s", "-");
+}
 
 std::string orderRows(const JoinReport& report) {
-  std::string text = "  order   residual      tolerance     uncertainty   verdict    C^m residual\n";
+  std::string text =
+      "  order   residual      tolerance     uncertainty   verdict    C^m residual\n";
   for (int k = 0; k <= report.requestedOrder; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const std::string unit(unitOf(k));
@@ -49,20 +55,22 @@ std::string orderRows(const JoinReport& report) {
         k <= report.parametricOrder + 1 ? format("%.3g", report.parametricResiduals[i]) : "-";
     text += format("  G%d      %-14s%-14s%-14s%-11s%s\n", k, amount(report.residuals[i], k).c_str(),
                    (format("%.3g", report.tolerances[i]) + unit).c_str(),
-                   (format("%.1e", report.uncertainties[i]) + unit).c_str(), sign(report.verdicts[i]).data(),
-                   parametric.c_str());
+                   (format("%.1e", report.uncertainties[i]) + unit).c_str(),
+                   sign(report.verdicts[i]).data(), parametric.c_str());
   }
   return text;
 }
 
-std::string sideRow(const char* label, const std::optional<double>& first, const std::optional<double>& second,
-                    const char* unit) {
+std::string sideRow(const char* label, const std::optional<double>& first,
+                    const std::optional<double>& second, const char* unit) {
   return format("  %-20s", label) + optional(first) + "   " + optional(second) + "  " + unit + "\n";
 }
 
 std::string sideRows(const JoinReport& report) {
   const auto& [first, second] = report.sides;
-  const auto endName = [](const SideReport& side) { return side.end == CurveEnd::kStart ? "its start" : "its end"; };
+  const auto endName = [](const SideReport& side) {
+    return side.end == CurveEnd::kStart ? "its start" : "its end";
+  };
   const auto radius = [](const SideReport& side) -> std::optional<double> {
     if (!side.invariants.curvature || !side.frame.normal) return std::nullopt;
     return 1.0 / *side.invariants.curvature;
@@ -71,9 +79,12 @@ std::string sideRows(const JoinReport& report) {
   text += sideRow("curvature", first.invariants.curvature, second.invariants.curvature, "1/mm");
   text += sideRow("radius", radius(first), radius(second), "mm");
   text += sideRow("torsion", first.invariants.torsion, second.invariants.torsion, "1/mm");
-  text += sideRow("d curvature/ds", first.invariants.curvatureRate, second.invariants.curvatureRate, "1/mm^2");
-  text += sideRow("d2 curvature/ds2", first.invariants.curvatureRate2, second.invariants.curvatureRate2, "1/mm^3");
-  text += sideRow("d torsion/ds", first.invariants.torsionRate, second.invariants.torsionRate, "1/mm^2");
+  text += sideRow("d curvature/ds", first.invariants.curvatureRate, second.invariants.curvatureRate,
+                  "1/mm^2");
+  text += sideRow("d2 curvature/ds2", first.invariants.curvatureRate2,
+                  second.invariants.curvatureRate2, "1/mm^3");
+  text += sideRow("d torsion/ds", first.invariants.torsionRate, second.invariants.torsionRate,
+                  "1/mm^2");
   text += format("  %-20s%13d   %13d\n", "legs on the tangent", first.linearity, second.linearity);
   return text;
 }
@@ -81,7 +92,8 @@ std::string sideRows(const JoinReport& report) {
 std::string betaRow(const JoinReport& report) {
   if (report.betaCount == 0) return "";
   std::string text = "  beta               ";
-  for (int k = 0; k < report.betaCount; ++k) text += format(" %.6g", report.beta[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < report.betaCount; ++k)
+    text += format(" %.6g", report.beta[static_cast<std::size_t>(k)]);
   return text + "\n";
 }
 
@@ -91,8 +103,8 @@ std::string definitionRows(const JoinReport& report) {
     const DefinitionResult& result = report.definitions[static_cast<std::size_t>(i)];
     const DefinitionInfo& about = info(static_cast<Definition>(i));
     if (!result.verdict) continue;
-    text += format("  %-19s%-11s%-11.3g%s\n", about.name.data(), sign(*result.verdict).data(), result.value,
-                   about.who.data());
+    text += format("  %-19s%-11s%-11.3g%s\n", about.name.data(), sign(*result.verdict).data(),
+                   result.value, about.who.data());
   }
   return text;
 }
@@ -101,11 +113,16 @@ bool has(const JoinReport& report, Definition definition, Verdict verdict) {
   return report.definitions[static_cast<std::size_t>(definition)].verdict == verdict;
 }
 
-bool passes(const JoinReport& report, Definition definition) { return has(report, definition, Verdict::kPass); }
-bool fails(const JoinReport& report, Definition definition) { return has(report, definition, Verdict::kFail); }
+bool passes(const JoinReport& report, Definition definition) {
+  return has(report, definition, Verdict::kPass);
+}
+bool fails(const JoinReport& report, Definition definition) {
+  return has(report, definition, Verdict::kFail);
+}
 
 /// Names of the systems whose definition has this verdict.
-std::string systems(const JoinReport& report, std::initializer_list<Definition> definitions, Verdict verdict) {
+std::string systems(const JoinReport& report, std::initializer_list<Definition> definitions,
+                    Verdict verdict) {
   std::string list;
   for (const Definition definition : definitions) {
     if (!has(report, definition, verdict)) continue;
@@ -117,17 +134,21 @@ std::string systems(const JoinReport& report, std::initializer_list<Definition> 
 
 std::string curvatureDisagreement(const JoinReport& report) {
   using enum Definition;
-  const std::initializer_list<Definition> others{kG2Maximum, kG2OpenNurbs, kG2Sum, kG2Mean, kG2GeometricMean};
+  const std::initializer_list<Definition> others{kG2Maximum, kG2OpenNurbs, kG2Sum, kG2Mean,
+                                                 kG2GeometricMean};
   const auto& plane = report.deviation.osculatingPlaneAngleDegrees;
   if (fails(report, kG2Vector)) {
     const std::string who = systems(report, others, Verdict::kPass);
     if (who.empty()) return "";
     const auto& n1 = report.sides[0].frame.normal;
     const auto& n2 = report.sides[1].frame.normal;
-    if (n1 && n2 && n1->dot(*n2) < 0.0) return "G2 by number only (" + who + "): the curvatures are equal but bend to opposite sides.";
+    if (n1 && n2 && n1->dot(*n2) < 0.0)
+      return "G2 by number only (" + who +
+             "): the curvatures are equal but bend to opposite sides.";
     if (plane && *plane > report.tolerances[1]) {
-      return "G2 by number only (" + who + "): the curvatures are equal but their planes differ by " +
-             format("%.3g", *plane) + " deg.";
+      return "G2 by number only (" + who +
+             "): the curvatures are equal but their planes differ by " + format("%.3g", *plane) +
+             " deg.";
     }
     return "G2 by a milder metric (" + who + "): their percentages count the same difference less.";
   }
@@ -138,7 +159,8 @@ std::string curvatureDisagreement(const JoinReport& report) {
 
 std::string thirdOrderDisagreement(const JoinReport& report) {
   using enum Definition;
-  const std::initializer_list<Definition> others{kG3FrenetFrame, kG3ScalarRate, kG3GraphAngle, kG3Torsion};
+  const std::initializer_list<Definition> others{kG3FrenetFrame, kG3ScalarRate, kG3GraphAngle,
+                                                 kG3Torsion};
   if (fails(report, kG3Vector)) {
     const std::string who = systems(report, others, Verdict::kPass);
     if (who.empty()) return "";
@@ -168,13 +190,16 @@ std::string headline(const JoinReport& report) {
   const auto i = static_cast<std::size_t>(next);
   const std::string name = orderName(report.order);
   if (report.verdicts[i] == Verdict::kUndecided) {
-    return name + ", " + orderName(next) + " undecided: " +
-           amount(report.residuals[i], next) + " +- " + amount(report.uncertainties[i], next);
+    return name + ", " + orderName(next) + " undecided: " + amount(report.residuals[i], next) +
+           " +- " + amount(report.uncertainties[i], next);
   }
-  if (next == 0) return "gap of " + amount(report.residuals[0], 0) + " (tolerance " + amount(report.tolerances[0], 0) + ")";
-  if (!std::isfinite(report.residuals[i])) return name + ", " + orderName(next) + " does not exist at a singular end";
-  return name + ", misses " + orderName(next) + " by " + amount(report.residuals[i], next) + " (tolerance " +
-         amount(report.tolerances[i], next) + ")";
+  if (next == 0)
+    return "gap of " + amount(report.residuals[0], 0) + " (tolerance " +
+           amount(report.tolerances[0], 0) + ")";
+  if (!std::isfinite(report.residuals[i]))
+    return name + ", " + orderName(next) + " does not exist at a singular end";
+  return name + ", misses " + orderName(next) + " by " + amount(report.residuals[i], next) +
+         " (tolerance " + amount(report.tolerances[i], next) + ")";
 }
 
 std::string disagreement(const JoinReport& report) {
@@ -185,8 +210,9 @@ std::string disagreement(const JoinReport& report) {
 
 std::string reportTable(const JoinReport& report) {
   std::string text = headline(report) + "\n";
-  text += format("  parametric: C%d   L = %.6g mm   tolerances: %s   frame: %s\n", report.parametricOrder,
-                 report.scaleMm, report.preset.data(), name(report.frameKind).data());
+  text += format("  parametric: C%d   L = %.6g mm   tolerances: %s   frame: %s\n",
+                 report.parametricOrder, report.scaleMm, report.preset.data(),
+                 name(report.frameKind).data());
   text += orderRows(report) + sideRows(report) + betaRow(report) + definitionRows(report);
   const std::string why = disagreement(report);
   if (!why.empty()) text += "  " + why + "\n";

@@ -12,15 +12,26 @@ struct Text {
 };
 
 constexpr std::array<Text, static_cast<std::size_t>(Warning::kCount)> kTexts{{
-    {"undecided", "An order cannot be decided: its tolerance lies within what double coordinates can carry here."},
+    {"undecided",
+     "An order cannot be decided: its tolerance lies within what double coordinates can carry "
+     "here."},
     {"cusp", "The tangents are opposite: the path turns back on itself at the join."},
-    {"degenerate-tangent", "A first derivative is zero at the join (repeated poles); the tangent comes from higher ones."},
+    {"degenerate-tangent",
+     "A first derivative is zero at the join (repeated poles); the tangent comes from higher "
+     "ones."},
     {"fractional-smoothness",
-     "A side's derivatives by arc length end at some order because its end is singular (repeated poles)."},
-    {"near-flat", "Curvature is zero or nearly so at the join: normal, torsion and rates mean nothing on that side."},
-    {"far-from-origin", "The coordinates are over a million times the curves' size: many digits are lost."},
-    {"touches-at-both-ends", "The curves meet at both ends; the join of the first's end with the second's start is shown."},
-    {"approximated", "A side is no B-spline or conic and was converted with a stated error, which enters the uncertainty."},
+     "A side's derivatives by arc length end at some order because its end is singular (repeated "
+     "poles)."},
+    {"near-flat",
+     "Curvature is zero or nearly so at the join: normal, torsion and rates mean nothing on that "
+     "side."},
+    {"far-from-origin",
+     "The coordinates are over a million times the curves' size: many digits are lost."},
+    {"touches-at-both-ends",
+     "The curves meet at both ends; the join of the first's end with the second's start is shown."},
+    {"approximated",
+     "A side is no B-spline or conic and was converted with a stated error, which enters the "
+     "uncertainty."},
 }};
 
 const Text& text(Warning warning) { return kTexts[static_cast<std::size_t>(warning)]; }

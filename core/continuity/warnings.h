@@ -8,14 +8,14 @@
 namespace osculate {
 
 enum class Warning : unsigned char {
-  kUndecided,            ///< an order is undecided
-  kCusp,                 ///< the tangents are opposite
-  kDegenerateTangent,    ///< a first derivative is zero at the join
-  kFractionalSmoothness, ///< a singular end whose arc-length derivatives end at some order
-  kNearFlat,             ///< curvature too small for normal, torsion and rates
-  kFarFromOrigin,        ///< coordinates so large that digits are lost
-  kTouchesAtBothEnds,    ///< the curves meet at both ends; the end-start join is reported
-  kApproximated,         ///< a side was converted with a stated error
+  kUndecided,             ///< an order is undecided
+  kCusp,                  ///< the tangents are opposite
+  kDegenerateTangent,     ///< a first derivative is zero at the join
+  kFractionalSmoothness,  ///< a singular end whose arc-length derivatives end at some order
+  kNearFlat,              ///< curvature too small for normal, torsion and rates
+  kFarFromOrigin,         ///< coordinates so large that digits are lost
+  kTouchesAtBothEnds,     ///< the curves meet at both ends; the end-start join is reported
+  kApproximated,          ///< a side was converted with a stated error
   kCount
 };
 

@@ -48,7 +48,8 @@ template <class Scalar>
   n.binormal = r[1].cross(n.normal);
   n.curvatureRate = n.normal.dot(r[3]);
   n.torsion = n.binormal.dot(r[3]) * radius;
-  n.curvatureRate2 = n.normal.dot(r[4]) + n.curvature * (n.curvature * n.curvature + n.torsion * n.torsion);
+  n.curvatureRate2 =
+      n.normal.dot(r[4]) + n.curvature * (n.curvature * n.curvature + n.torsion * n.torsion);
   n.torsionRate = (n.binormal.dot(r[4]) - Scalar(2.0) * n.curvatureRate * n.torsion) * radius;
   return n;
 }
@@ -56,8 +57,9 @@ template <class Scalar>
 /// Stores what exists: derivatives up to `available`, and what needs a normal only where the
 /// curvature is above `flatBelow`. `lane` chooses the side of Lanes.
 template <class Scalar>
-[[gnu::always_inline]] inline void storeNumbers(const ArcNumbers<Scalar>& n, int side, int available,
-                                                double flatBelow, FrenetFrame& frame, Invariants& invariants) {
+[[gnu::always_inline]] inline void storeNumbers(const ArcNumbers<Scalar>& n, int side,
+                                                int available, double flatBelow, FrenetFrame& frame,
+                                                Invariants& invariants) {
   if (available < 1) return;
   frame.tangent = lane(n.tangent, side);
   if (available < 2) return;

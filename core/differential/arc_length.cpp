@@ -16,7 +16,8 @@ constexpr double kRelativeError = 1e-12;
 /// Length of the part [a, b] of one segment, in its own parameter [0, 1].
 double segmentLength(const BezierCurve& curve, double a, double b) {
   const auto speed = [&](double t) { return curve.derivatives(t, 1)[1].norm(); };
-  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(speed, a, b, 15, kRelativeError);
+  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(speed, a, b, 15,
+                                                                       kRelativeError);
 }
 
 }  // namespace
@@ -25,14 +26,16 @@ double length(const BSplineCurve& curve) { return length(curve, curve.first(), c
 
 double length(const BSplineCurve& curve, double a, double b) {
   if (!(curve.first() <= a && a <= b && b <= curve.last())) {
-    throw std::invalid_argument("length: needs first <= a <= b <= last, got " + std::to_string(a) + " and " +
-                                std::to_string(b));
+    throw std::invalid_argument("length: needs first <= a <= b <= last, got " + std::to_string(a) +
+                                " and " + std::to_string(b));
   }
   double sum = 0.0;
   const int lastSpan = curve.spanAt(b, Side::kLeft);
   for (int span = curve.spanAt(a); span <= lastSpan; ++span) {
     const BezierSegment part = curve.segment(span);
-    const auto local = [&](double t) { return std::clamp((t - part.first) / part.length(), 0.0, 1.0); };
+    const auto local = [&](double t) {
+      return std::clamp((t - part.first) / part.length(), 0.0, 1.0);
+    };
     sum += segmentLength(part.curve, local(a), local(b));
   }
   return sum;
@@ -52,12 +55,13 @@ double parameterAtLength(const BSplineCurve& curve, double s) {
     if (s <= before) return part.first;
     const auto excess = [&](double t) { return before + segmentLength(part.curve, 0.0, t) - s; };
     std::uintmax_t steps = 100;
-    const auto bracket = boost::math::tools::toms748_solve(excess, 0.0, 1.0, before - s, before + own - s,
-                                                           boost::math::tools::eps_tolerance<double>(50), steps);
+    const auto bracket =
+        boost::math::tools::toms748_solve(excess, 0.0, 1.0, before - s, before + own - s,
+                                          boost::math::tools::eps_tolerance<double>(50), steps);
     return part.first + part.length() * 0.5 * (bracket.first + bracket.second);
   }
-  throw std::invalid_argument("length: must be from 0 to the curve's length " + std::to_string(length(curve)) +
-                              " mm, got " + std::to_string(s));
+  throw std::invalid_argument("length: must be from 0 to the curve's length " +
+                              std::to_string(length(curve)) + " mm, got " + std::to_string(s));
 }
 
 }  // namespace osculate

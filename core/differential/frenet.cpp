@@ -13,21 +13,24 @@ int fromEnd(BezierView segment, CurveEnd end, int i) {
 
 /// The part of the leg to pole i that is off the line through the end along the tangent.
 Vector3 offTangent(BezierView segment, CurveEnd end, int i, const Vector3& tangent) {
-  const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
+  const Vector3 leg =
+      segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
   return leg - leg.dot(tangent) * tangent;
 }
 
 /// Largest distance of a pole from the origin.
 double sizeOf(BezierView segment) {
   double largest = 0.0;
-  for (int i = 0; i <= segment.degree; ++i) largest = std::max(largest, segment.pole(i).squaredNorm());
+  for (int i = 0; i <= segment.degree; ++i)
+    largest = std::max(largest, segment.pole(i).squaredNorm());
   return std::sqrt(largest);
 }
 
 /// Direction of the first leg that is not zero, outward from the end; zero if there is none.
 Vector3 firstLeg(BezierView segment, CurveEnd end, double tolerance) {
   for (int i = 1; i <= segment.degree; ++i) {
-    const Vector3 leg = segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
+    const Vector3 leg =
+        segment.pole(fromEnd(segment, end, i)) - segment.pole(fromEnd(segment, end, 0));
     if (leg.norm() > tolerance) return leg.normalized();
   }
   return Vector3::Zero();
@@ -43,10 +46,14 @@ Vector3 lineNormal(const Vector3& tangent) {
 
 std::string_view name(FrameKind kind) {
   switch (kind) {
-    case FrameKind::kFrenet: return "frenet";
-    case FrameKind::kFictitiousNormal: return "fictitious-normal";
-    case FrameKind::kLine: return "line";
-    case FrameKind::kFictitiousTangent: return "fictitious-tangent";
+    case FrameKind::kFrenet:
+      return "frenet";
+    case FrameKind::kFictitiousNormal:
+      return "fictitious-normal";
+    case FrameKind::kLine:
+      return "line";
+    case FrameKind::kFictitiousTangent:
+      return "fictitious-tangent";
   }
   return "";
 }
@@ -67,7 +74,8 @@ int legsOnTangent(BezierView segment, CurveEnd end, double tolerance) {
     }
     // distance from the line against the tolerance, which grows with the distance along the line as
     // the direction is only known to tolerance over the first leg: (1 + x)^2 <= 2 (1 + x^2)
-    if (leg.cross(first).squaredNorm() > 2.0 * squaredTolerance * (firstSquared + squared)) return i - 1;
+    if (leg.cross(first).squaredNorm() > 2.0 * squaredTolerance * (firstSquared + squared))
+      return i - 1;
   }
   return segment.degree;
 }
@@ -85,8 +93,9 @@ EndFrame fictitiousFrame(BezierView segment, CurveEnd end, const Vector3& tangen
   result.frame.tangent = direction;
   const int legs = legsOnTangent(segment, end, tolerance);
   const bool straight = legs == segment.degree;
-  const Vector3 normal =
-      straight ? lineNormal(direction) : Vector3(offTangent(segment, end, legs + 1, direction).normalized());
+  const Vector3 normal = straight
+                             ? lineNormal(direction)
+                             : Vector3(offTangent(segment, end, legs + 1, direction).normalized());
   result.frame.normal = normal;
   result.frame.binormal = direction.cross(normal);
   result.kind = singular   ? FrameKind::kFictitiousTangent

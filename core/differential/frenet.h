@@ -8,7 +8,8 @@
 
 namespace osculate {
 
-/// How the frame at a point came about (bachelor thesis, ch. 5: the special cases of its algorithm).
+/// How the frame at a point came about (bachelor thesis, ch. 5: the special cases of its
+/// algorithm).
 enum class FrameKind : unsigned char {
   kFrenet,            ///< from the curvature
   kFictitiousNormal,  ///< curvature zero: the first leg of the control polygon off the tangent
@@ -25,7 +26,7 @@ struct FrenetFrame {
 
 /// Units 1/mm, 1/mm, 1/mm^2, 1/mm^3, 1/mm^2; empty where the quantity does not exist.
 struct Invariants {
-  std::optional<double> curvature;       ///< empty only where r_2 does not exist (singular end)
+  std::optional<double> curvature;  ///< empty only where r_2 does not exist (singular end)
   std::optional<double> torsion;
   std::optional<double> curvatureRate;   ///< d kappa / ds
   std::optional<double> curvatureRate2;  ///< d^2 kappa / ds^2

@@ -1,4 +1,5 @@
-// Taylor coefficients of a Bézier curve at one of its ends, outward from that end, with error bounds.
+// Taylor coefficients of a Bézier curve at one of its ends, outward from that end, with error
+// bounds.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +15,10 @@ namespace osculate {
 template <int N>
 struct Jet {
   Vector3 point;
-  double pointError;                   ///< bound of the error of the point, mm
-  std::array<Vector3, N + 1> c;        ///< c[0] is zero
-  std::array<double, N + 1> error;     ///< bounds of the errors |delta c[k]|
-  double size;                         ///< largest distance from the origin of the poles used
+  double pointError;                ///< bound of the error of the point, mm
+  std::array<Vector3, N + 1> c;     ///< c[0] is zero
+  std::array<double, N + 1> error;  ///< bounds of the errors |delta c[k]|
+  double size;                      ///< largest distance from the origin of the poles used
 };
 
 namespace detail {
@@ -42,7 +43,8 @@ struct PolesFromEnd {
 template <class Element>
 [[gnu::always_inline]] inline void differences(Element* d, int count) {
   for (int k = 1; k <= count; ++k) {
-    for (int i = count; i >= k; --i) d[i] = d[i] - d[i - 1];
+    for (int i = count; i >= k; --i)
+      d[i] = d[i] - d[i - 1];
   }
 }
 
@@ -54,8 +56,8 @@ constexpr double amplification(int degree, int k) {
 
 /// c_k = C(n,k) Delta^k b_0 for k = 1..used (Farin, CAGD, sec. 5.3). Reads used+1 poles.
 template <int N>
-[[gnu::always_inline]] inline void polynomialTaylor(const PolesFromEnd& from, int used, double poleError,
-                                                    Jet<N>& jet) {
+[[gnu::always_inline]] inline void polynomialTaylor(const PolesFromEnd& from, int used,
+                                                    double poleError, Jet<N>& jet) {
   std::array<Vector3, N + 1> d;
   double largest = 0.0;
   for (int i = 0; i <= used; ++i) {
@@ -80,8 +82,8 @@ template <int N>
 
 /// The homogeneous Taylor coefficients (w (b - b_0), w), then c_k = (a_k - sum w_j c_{k-j}) / w_0.
 template <int N>
-[[gnu::always_inline]] inline void rationalTaylor(const PolesFromEnd& from, int used, double poleError,
-                                                  Jet<N>& jet) {
+[[gnu::always_inline]] inline void rationalTaylor(const PolesFromEnd& from, int used,
+                                                  double poleError, Jet<N>& jet) {
   std::array<Eigen::Vector4d, N + 1> h;
   double largest = 0.0;
   double heaviest = 0.0;

@@ -20,10 +20,22 @@ class Lanes {
   double operator[](int lane) const { return both_[lane]; }
   Register both() const { return both_; }
 
-  Lanes& operator+=(Lanes other) { both_ += other.both_; return *this; }
-  Lanes& operator-=(Lanes other) { both_ -= other.both_; return *this; }
-  Lanes& operator*=(Lanes other) { both_ *= other.both_; return *this; }
-  Lanes& operator/=(Lanes other) { both_ /= other.both_; return *this; }
+  Lanes& operator+=(Lanes other) {
+    both_ += other.both_;
+    return *this;
+  }
+  Lanes& operator-=(Lanes other) {
+    both_ -= other.both_;
+    return *this;
+  }
+  Lanes& operator*=(Lanes other) {
+    both_ *= other.both_;
+    return *this;
+  }
+  Lanes& operator/=(Lanes other) {
+    both_ /= other.both_;
+    return *this;
+  }
   friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.both_ + b.both_); }
   friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.both_ - b.both_); }
   friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.both_ * b.both_); }
@@ -46,7 +58,15 @@ struct NumTraits<osculate::Lanes> : GenericNumTraits<double> {
   using NonInteger = osculate::Lanes;
   using Nested = osculate::Lanes;
   using Literal = osculate::Lanes;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 0,
+    ReadCost = 1,
+    AddCost = 1,
+    MulCost = 1
+  };
 };
 }  // namespace Eigen
 

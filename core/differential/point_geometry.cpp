@@ -29,7 +29,8 @@ CutSegment cutAt(const BSplineCurve& curve, double t, Side side) {
 /// Largest distance of the curve's ends and middle from the point.
 double reachFrom(const BSplineCurve& curve, const Vector3& point) {
   return std::max({(curve.endPoint(CurveEnd::kStart) - point).norm(),
-                   (curve.endPoint(CurveEnd::kEnd) - point).norm(), (curve.middlePoint() - point).norm()});
+                   (curve.endPoint(CurveEnd::kEnd) - point).norm(),
+                   (curve.middlePoint() - point).norm()});
 }
 
 }  // namespace
@@ -60,7 +61,8 @@ PointGeometry geometryAt(const BSplineCurve& curve, double t, Side side) {
   const double flatBelow = std::max(curvatureError, kFlatness / reachFrom(curve, jet.point));
   storeNumbers(arcNumbers(r), 0, result.smoothness, flatBelow, result.frame, result.invariants);
   if (!result.frame.normal) {
-    const EndFrame chosen = fictitiousFrame(view, cut.end, result.frame.tangent, singular, cut.poleError);
+    const EndFrame chosen =
+        fictitiousFrame(view, cut.end, result.frame.tangent, singular, cut.poleError);
     result.kind = chosen.kind;
     result.frame.tangent = chosen.frame.tangent;
   } else if (singular) {

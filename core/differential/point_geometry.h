@@ -11,7 +11,7 @@ struct PointGeometry {
   FrenetFrame frame;                ///< normal and binormal empty where curvature is zero
   FrameKind kind = FrameKind::kFrenet;
   Invariants invariants;
-  int smoothness = 0;               ///< arc-length derivatives that exist, at most 4
+  int smoothness = 0;  ///< arc-length derivatives that exist, at most 4
 };
 
 /// The geometry at t on the given side of a knot; tangent in the direction of the parameter.

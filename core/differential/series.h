@@ -8,11 +8,12 @@ namespace osculate::series {
 /// b_k = 1/k sum_{j=1..k} (p j - (k-j)) a_j b_{k-j} (J. C. P. Miller; Knuth, TAOCP 2, sec. 4.7).
 template <class Scalar>
 inline void power(const Scalar* a, double p, Scalar* b, int n) {
-  #pragma GCC unroll 8
+#pragma GCC unroll 8
   for (int k = 1; k <= n; ++k) {
     Scalar sum(0.0);
-    #pragma GCC unroll 8
-    for (int j = 1; j <= k; ++j) sum += Scalar(p * j - (k - j)) * a[j] * b[k - j];
+#pragma GCC unroll 8
+    for (int j = 1; j <= k; ++j)
+      sum += Scalar(p * j - (k - j)) * a[j] * b[k - j];
     b[k] = sum * Scalar(1.0 / k);
   }
 }
@@ -20,11 +21,12 @@ inline void power(const Scalar* a, double p, Scalar* b, int n) {
 /// c = a b up to t^n.
 template <class Scalar>
 inline void multiply(const Scalar* a, const Scalar* b, Scalar* c, int n) {
-  #pragma GCC unroll 8
+#pragma GCC unroll 8
   for (int k = 0; k <= n; ++k) {
     Scalar sum(0.0);
-    #pragma GCC unroll 8
-    for (int j = 0; j <= k; ++j) sum += a[j] * b[k - j];
+#pragma GCC unroll 8
+    for (int j = 0; j <= k; ++j)
+      sum += a[j] * b[k - j];
     c[k] = sum;
   }
 }
@@ -33,8 +35,9 @@ inline void multiply(const Scalar* a, const Scalar* b, Scalar* c, int n) {
 template <class Scalar>
 inline Scalar nextPower(const Scalar* x, const Scalar* lowerPower, int j, int k) {
   Scalar sum(0.0);
-  #pragma GCC unroll 8
-  for (int i = 1; i <= k - j + 1; ++i) sum += x[i] * lowerPower[k - i];
+#pragma GCC unroll 8
+  for (int i = 1; i <= k - j + 1; ++i)
+    sum += x[i] * lowerPower[k - i];
   return sum;
 }
 

@@ -21,7 +21,8 @@ int firstDerivative(const LongJet& jet, int degree) {
   return degree + 1;
 }
 
-/// The curve by a parameter that makes the first coefficient a unit vector: p_k = c_k / |c_m|^(k/m).
+/// The curve by a parameter that makes the first coefficient a unit vector: p_k = c_k /
+/// |c_m|^(k/m).
 struct UnitCurve {
   int m;
   int length;  ///< coefficients m .. length
@@ -30,30 +31,35 @@ struct UnitCurve {
 };
 
 UnitCurve unitCurve(const LongJet& jet, int m, int length) {
-  UnitCurve curve{m, length, std::vector<Vector3>(index(length) + 1, Vector3::Zero()), Row(index(length) + 1, 0.0)};
+  UnitCurve curve{m, length, std::vector<Vector3>(index(length) + 1, Vector3::Zero()),
+                  Row(index(length) + 1, 0.0)};
   const double speed = std::pow(jet.c[index(m)].norm(), 1.0 / m);
   for (int k = m; k <= length; ++k) {
     const double scale = std::pow(speed, -k);
     curve.p[index(k)] = scale * jet.c[index(k)];
-    curve.epsilon[index(k)] = scale * jet.error[index(k)] + 16.0 * kUnitRoundoff * curve.p[index(k)].norm();
+    curve.epsilon[index(k)] =
+        scale * jet.error[index(k)] + 16.0 * kUnitRoundoff * curve.p[index(k)].norm();
   }
   return curve;
 }
 
-/// v(t) with s^(1/m) = t v(t): |P'| = t^(m-1) sqrt(g), s = t^m h, h_j = [sqrt g]_j / (j+m) * m, v = h^(1/m).
+/// v(t) with s^(1/m) = t v(t): |P'| = t^(m-1) sqrt(g), s = t^m h, h_j = [sqrt g]_j / (j+m) * m, v =
+/// h^(1/m).
 Row rootOfArcLength(const UnitCurve& curve) {
   const int n = curve.length - curve.m;
   Row g(index(n) + 1, 0.0);
   for (int k = 0; k <= n; ++k) {
     for (int i = 0; i <= k; ++i) {
-      const double factor = static_cast<double>((curve.m + i) * (curve.m + k - i)) / (curve.m * curve.m);
+      const double factor =
+          static_cast<double>((curve.m + i) * (curve.m + k - i)) / (curve.m * curve.m);
       g[index(k)] += factor * curve.p[index(curve.m + i)].dot(curve.p[index(curve.m + k - i)]);
     }
   }
   g[0] = 1.0;
   Row h(g.size(), 1.0);
   series::power(g.data(), 0.5, h.data(), n);
-  for (int k = 0; k <= n; ++k) h[index(k)] *= static_cast<double>(curve.m) / (k + curve.m);
+  for (int k = 0; k <= n; ++k)
+    h[index(k)] *= static_cast<double>(curve.m) / (k + curve.m);
   Row v(g.size(), 1.0);
   series::power(h.data(), 1.0 / curve.m, v.data(), n);
   return v;
@@ -93,31 +99,33 @@ struct RootSeries {
 RootSeries composeWith(const UnitCurve& curve, const Row& t) {
   const int n = curve.length;
   RootSeries result{std::vector<Vector3>(index(n) + 1, Vector3::Zero()), Row(index(n) + 1, 0.0)};
-  Row magnitudes(t);
-  for (double& value : magnitudes) value = std::abs(value);
   const std::vector<Row> power = powers(t, n);
-  const std::vector<Row> majorant = powers(magnitudes, n);
   Row d(index(n) + 1, 0.0);
   for (int k = curve.m; k <= n; ++k) {
     for (int j = curve.m; j <= k; ++j) {
       result.p[index(k)] += power[index(j)][index(k)] * curve.p[index(j)];
-      d[index(k)] += majorant[index(j)][index(k)] * curve.epsilon[index(j)];
+      d[index(k)] += std::abs(power[index(j)][index(k)]) * curve.epsilon[index(j)];
     }
   }
   // dR/ds as a series in sigma, and the change of arc length
-  const auto tangent = [&](int a) { return result.p[index(a + curve.m)].norm() * (a + curve.m) / curve.m; };
+  const auto tangent = [&](int a) {
+    return result.p[index(a + curve.m)].norm() * (a + curve.m) / curve.m;
+  };
   Row arc(index(n) + 1, 0.0);
   for (int k = curve.m; k <= n; ++k) {
-    for (int a = 0; a <= k - curve.m; ++a) arc[index(k)] += tangent(a) * (k - a) * d[index(k - a)] / k;
+    for (int a = 0; a <= k - curve.m; ++a)
+      arc[index(k)] += tangent(a) * (k - a) * d[index(k - a)] / k;
     result.error[index(k)] = d[index(k)];
-    for (int a = 0; a <= k - curve.m; ++a) result.error[index(k)] += tangent(a) * arc[index(k - a)];
+    for (int a = 0; a <= k - curve.m; ++a)
+      result.error[index(k)] += tangent(a) * arc[index(k - a)];
   }
   return result;
 }
 
 int smoothnessOf(const RootSeries& series, int m, int order) {
   for (int j = m + 1; j < static_cast<int>(series.p.size()); ++j) {
-    if (j % m != 0 && series.p[index(j)].norm() > series.error[index(j)]) return std::min(order, j / m);
+    if (j % m != 0 && series.p[index(j)].norm() > series.error[index(j)])
+      return std::min(order, j / m);
   }
   return order;
 }

@@ -16,10 +16,11 @@ struct SingularEnd {
   std::array<double, kMaxArcOrder + 1> error;  ///< bounds of the errors |delta r[k]|
 };
 
-/// With m the first derivative that does not vanish, the curve by arc length is a series in s^(1/m);
-/// the terms of whole powers give r_k, the first other term that does not vanish ends the smoothness
-/// (Puiseux expansion; e.g. (t^2, t^3) has an s^(3/2) term and only r_1). Terms within the error
-/// bounds count as vanishing. Where all poles are one point, multiplicity is degree+1, smoothness 0.
+/// With m the first derivative that does not vanish, the curve by arc length is a series in
+/// s^(1/m); the terms of whole powers give r_k, the first other term that does not vanish ends the
+/// smoothness (Puiseux expansion; e.g. (t^2, t^3) has an s^(3/2) term and only r_1). Terms within
+/// the error bounds count as vanishing. Where all poles are one point, multiplicity is degree+1,
+/// smoothness 0.
 SingularEnd singularEnd(BezierView segment, CurveEnd end, double poleError, int order);
 
 }  // namespace osculate

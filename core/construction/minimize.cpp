@@ -1,0 +1,47 @@
+#include "osculate/construction/minimize.h"
+
+#include <nlopt.h>
+#include <cmath>
+#include <memory>
+
+namespace osculate {
+
+namespace {
+
+/// What the optimiser evaluates, and the best it has seen.
+struct Search {
+  const BlendProblem& problem;
+  Minimum best;
+};
+
+double evaluate(unsigned count, const double* x, double* gradient, void* data) {
+  constexpr double kStopped = 1e6;  // in place of infinity, which the line search cannot use
+  Search& search = *static_cast<Search*>(data);
+  const std::vector<double> unknowns(x, x + count);
+  const double value = search.problem.objective(unknowns, gradient);
+  if (value < search.best.objective) search.best = {unknowns, value};
+  return std::isfinite(value) ? value : kStopped;
+}
+
+}  // namespace
+
+Minimum minimize(const BlendProblem& problem, const std::vector<double>& start) {
+  constexpr double kTolerance = 1e-6;  // of the objective, a logarithm
+  constexpr int kMostEvaluations = 400;
+  Search search{problem, {start, problem.objective(start, nullptr)}};
+  if (problem.size() == 0) return search.best;
+  const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
+      nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(problem.size())), nlopt_destroy);
+  nlopt_set_lower_bounds(optimiser.get(), problem.lowerBounds().data());
+  nlopt_set_upper_bounds(optimiser.get(), problem.upperBounds().data());
+  nlopt_set_min_objective(optimiser.get(), evaluate, &search);
+  nlopt_set_ftol_abs(optimiser.get(), kTolerance);
+  nlopt_set_maxeval(optimiser.get(), kMostEvaluations);
+  std::vector<double> x = start;
+  double value = 0.0;
+  // the result code says why it stopped: the tolerance, the evaluations or rounding, all good
+  nlopt_optimize(optimiser.get(), x.data(), &value);
+  return search.best;
+}
+
+}  // namespace osculate
