@@ -48,13 +48,14 @@ def draw_checks():
     document = open_sample()
     for order in range(5):
         for part in "ab":  # farther apart, to make room for the labels
-            document.getObject(f"G{order}{part}").Placement.Base += V(40.0 * order, -38.0 * (order % 2), 0)
+            side = document.getObject(f"G{order}{part}")
+            side.Placement.Base += V(40.0 * order, -85.0 * (order % 2), 0)
         check = make_join_check(document, (document.getObject(f"G{order}a"), "Edge1"),
                                 (document.getObject(f"G{order}b"), "Edge1"))
         check.Label = f"Join {order + 1}"
+    FreeCADGui.Selection.addSelection(document.Name, "JoinCheck002")  # shows its properties
     widen_tree()
-    look(document, "viewTop", 1.3)
-    FreeCADGui.Selection.clearSelection()
+    look(document, "viewTop", 1.25)
     grab("demo")
     FreeCAD.closeDocument(document.Name)
 
@@ -65,7 +66,7 @@ def draw_panel():
     for obj in document.Objects:
         obj.Visibility = obj.Name in ("G2a", "G2b")
     look(document, "viewIsometric", 1.2)
-    form = analyze(document, ("G2a", "Edge1"), ("G2b", "Edge1"))
+    analyze(document, ("G2a", "Edge1"), ("G2b", "Edge1"))
     grab("panel")
     FreeCADGui.Control.closeDialog()
     FreeCAD.closeDocument(document.Name)
@@ -184,9 +185,13 @@ def set_background(color):
 
 
 def widen_tree():
+    """Makes room in the dock for the tree and for what it says of the selected object."""
     window = FreeCADGui.getMainWindow()
     docks = [dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
-    window.resizeDocks(docks, [300] * len(docks), QtCore.Qt.Orientation.Horizontal)
+    window.resizeDocks(docks, [330] * len(docks), QtCore.Qt.Orientation.Horizontal)
+    for dock in docks:
+        for splitter in dock.findChildren(QtWidgets.QSplitter):
+            splitter.setSizes([370, 360])
     pump()
 
 

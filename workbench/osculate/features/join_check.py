@@ -166,11 +166,16 @@ def _show_report(obj, report):
     obj.Headline = report.headline
     obj.Residuals = [math.nan if residual is None else residual for residual in report.residuals]
     obj.Position = FreeCAD.Vector(*report.sides[0].point)
-    set_numbers(obj, {**report.deviation, "curvature_first": report.sides[0].curvature,
-                      "curvature_second": report.sides[1].curvature})
+    set_numbers(obj, {**report.deviation, **_side_numbers("first", report.sides[0]),
+                      **_side_numbers("second", report.sides[1])})
     obj.Report = report.to_json()
     obj.Status = "OK"
     obj.Verdicts = list(report.verdicts)  # the last: the view provider waits for it
+
+
+def _side_numbers(name, side):
+    return {f"curvature_{name}": side.curvature,
+            f"radius_{name}": 1.0 / side.curvature if side.normal is not None else None}
 
 
 def _show_error(obj, error):

@@ -68,6 +68,10 @@ _NUMBERS = {
         "App::Property", "Angle between the tangents in the direction of travel")),
     "osculating_plane_angle_deg": ("OsculatingPlaneAngle", "App::PropertyAngle", QT_TRANSLATE_NOOP(
         "App::Property", "Angle between the binormals")),
+    "radius_first": ("RadiusFirst", "App::PropertyDistance", QT_TRANSLATE_NOOP(
+        "App::Property", "Radius of curvature of the first edge at the join")),
+    "radius_second": ("RadiusSecond", "App::PropertyDistance", QT_TRANSLATE_NOOP(
+        "App::Property", "Radius of curvature of the second edge at the join")),
     "curvature_first": ("CurvatureFirst", "App::PropertyFloat", QT_TRANSLATE_NOOP(
         "App::Property", "Curvature of the first edge at the join, 1/mm")),
     "curvature_second": ("CurvatureSecond", "App::PropertyFloat", QT_TRANSLATE_NOOP(

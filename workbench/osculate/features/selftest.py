@@ -50,6 +50,8 @@ class JoinCheckTest(FeatureCase):
         self.assertLess(check.Gap.Value, 1e-12)
         self.assertEqual(check.CurvatureFirst, 0.0)
         self.assertAlmostEqual(check.CurvatureSecond, 0.05, delta=1e-12)
+        self.assertTrue(math.isnan(check.RadiusFirst.Value))
+        self.assertAlmostEqual(check.RadiusSecond.Value, 20.0, delta=1e-9)
         self.assertAlmostEqual(check.CurvatureDeviation, 0.05, delta=1e-12)
         self.assertTrue(check.Position.isEqual(V(50, 0, 0), 1e-9))
 

@@ -22,8 +22,13 @@ def selected_links():
     # Resolve mode 0 keeps the path from the outermost App::Part, and with it all placements.
     for selected in FreeCADGui.Selection.getSelectionEx("", 0):
         for sub in selected.SubElementNames or ("",):
-            links.update(dict.fromkeys(_links_of(selected.Object, sub)))
+            links.update(dict.fromkeys(_links_of(selected.Object, _plain(sub))))
     return list(links)
+
+
+def _plain(sub):
+    """A path without the topological names that FreeCAD from 1.0 on puts before "Edge1"."""
+    return ".".join(name for name in sub.split(".") if not name.startswith((";", "?")))
 
 
 def _links_of(obj, sub):

@@ -48,7 +48,7 @@ class PanelForm(QtWidgets.QWidget):
 
     def _lay_out(self):
         self.tolerance_section = Section(translate("Osculate", "Tolerances"), self.tolerances,
-                                          "Tolerances", False)
+                                         "Tolerances", False)
         layout = QtWidgets.QVBoxLayout(self)
         layout.setSpacing(8)
         for widget in (self.follow, self.advice, self.joins, self.edges, self.trouble, self.banner,

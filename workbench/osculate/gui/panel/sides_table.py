@@ -52,4 +52,4 @@ def _quantities(report):
 
 
 def _radius(side):
-    return 1.0 / side.curvature if side.curvature else None
+    return 1.0 / side.curvature if side.normal is not None else None
