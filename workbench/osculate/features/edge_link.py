@@ -85,3 +85,22 @@ def edges_of_object(obj, path=""):
     if not links:
         raise LinkError(translate("Osculate", "{} has no edges.").format(obj.Label))
     return links
+
+
+def resolve_all(links):
+    """A dict from each EdgeLink to its Part.Edge, with one look at each shape. Raises LinkError."""
+    shapes = {}
+    return {link: _edge_in_shape(link, shapes) for link in links}
+
+
+def _edge_in_shape(link, shapes):
+    """The edge by its number in the shape of its owner, which `shapes` keeps for the next."""
+    path, _, element = link.sub.rpartition(".")
+    owner = link.document, link.object, path
+    if owner not in shapes:
+        obj = link.resolve_object()
+        shapes[owner] = Part.getShape(obj, path + "." if path else "").Edges
+    number = element[len("Edge"):]
+    if number.isdigit() and 0 < int(number) <= len(shapes[owner]):
+        return shapes[owner][int(number) - 1]
+    return link.resolve()  # says what is wrong

@@ -1,7 +1,7 @@
 """The joins of edges in a document: where they are, and their analysis."""
 
 from collections import defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import product
 from math import floor
 from operator import add
@@ -10,7 +10,7 @@ from typing import Optional, Tuple
 import FreeCAD
 
 import osculate
-from osculate.features.edge_link import EdgeLink, LinkError
+from osculate.features.edge_link import EdgeLink, LinkError, resolve_all
 
 translate = FreeCAD.Qt.translate
 
@@ -23,7 +23,7 @@ ENDS = {
     "start-end": ("start", "end"),
 }
 
-#: Ends of edges that lie within this multiple of the gap tolerance are taken to be meant as a join.
+#: An end that meets no other is joined with those within this multiple of the gap tolerance.
 NEARNESS = 100.0
 
 
@@ -77,12 +77,12 @@ def analyze_links(links, order, tolerances):
     if len(links) == 2:
         place = JoinPlace(*links)
         return [(place, place.analyze(order, tolerances))]
-    edges = {link: link.resolve() for link in links}
+    edges = resolve_all(links)
     curves = {link: osculate.Curve.from_edge(edge) for link, edge in edges.items()}
     joins = []
     for link, curve in curves.items():
         joins += _inner_joins(link, curve, order, tolerances)
-    for place in touching_ends(edges, NEARNESS * tolerances.gap_mm):
+    for place in touching_ends(edges, tolerances.gap_mm):
         report = osculate.analyze(curves[place.first], curves[place.second], order=order,
                                   ends=place.ends, tolerances=tolerances)
         joins.append((place, report))
@@ -95,22 +95,44 @@ def _inner_joins(link, curve, order, tolerances):
             for number, report in enumerate(reports, start=1)]
 
 
-def touching_ends(edges, reach):
-    """A JoinPlace for each pair of ends of different edges that lie within `reach` mm.
+def touching_ends(edges, gap_mm):
+    """A JoinPlace for each pair of ends of different edges that meet or seem meant to.
 
-    `edges` maps EdgeLink to Part.Edge. Ends are sorted into cells of the size `reach`, so that
-    the cost grows with the number of ends and not with its square.
+    `edges` maps EdgeLink to Part.Edge. Ends within `gap_mm` meet; an end that meets none is joined
+    with those within NEARNESS times as much.
     """
-    places = []
+    pairs = _near_pairs([_End(link, name, point) for link, edge in edges.items()
+                         for name, point in _end_points(edge)], NEARNESS * gap_mm)
+    met = {end for *ends, distance in pairs if distance <= gap_mm for end in ends}
+    return [_travel(first, second) for first, second, distance in pairs
+            if distance <= gap_mm or first not in met or second not in met]
+
+
+@dataclass(frozen=True)
+class _End:
+    """One end of an edge."""
+
+    link: EdgeLink
+    name: str  #: "start" or "end", in the direction of the edge
+    point: FreeCAD.Vector = field(compare=False)
+
+
+def _near_pairs(ends, reach):
+    """(end, end, distance) of ends of different edges within `reach` mm.
+
+    Ends are sorted into cells of the size `reach`: the cost grows with their number, not with its
+    square.
+    """
+    pairs = []
     cells = defaultdict(list)
-    for link, edge in edges.items():
-        for name, point in _end_points(edge):
-            cell = tuple(floor(coordinate / reach) for coordinate in point)
-            for other_link, other_name, other_point in _neighbours(cells, cell):
-                if other_link != link and point.distanceToPoint(other_point) <= reach:
-                    places.append(_travel(other_link, other_name, link, name))
-            cells[cell].append((link, name, point))
-    return places
+    for end in ends:
+        cell = tuple(floor(coordinate / reach) for coordinate in end.point)
+        for other in _neighbours(cells, cell):
+            distance = end.point.distanceToPoint(other.point)
+            if other.link != end.link and distance <= reach:
+                pairs.append((other, end, distance))
+        cells[cell].append(end)
+    return pairs
 
 
 def _end_points(edge):
@@ -126,8 +148,8 @@ def _neighbours(cells, cell):
         yield from cells.get(tuple(map(add, cell, step)), ())
 
 
-def _travel(first, first_end, second, second_end):
+def _travel(first, second):
     """The join of two ends, travelled from an edge's end to the other's start where possible."""
-    if (first_end, second_end) == ("start", "end"):
-        return JoinPlace(second, first, ("end", "start"))
-    return JoinPlace(first, second, (first_end, second_end))
+    if (first.name, second.name) == ("start", "end"):
+        first, second = second, first
+    return JoinPlace(first.link, second.link, (first.name, second.name))

@@ -216,6 +216,16 @@ class JoinsTest(FeatureCase):
             pieces = self.add("Pieces", Part.makeCompound(shapes))
             self.assertEqual(len(self.analyze(*self.links(pieces, [1, 2, 3]))), count)
 
+    def test_an_end_that_meets_another_is_not_joined_with_a_third_nearby(self):
+        shapes = [Part.LineSegment(V(0, 0), V(10, 0)).toShape(),
+                  Part.LineSegment(V(10, 0), V(20, 0)).toShape(),
+                  Part.LineSegment(V(0, 0.05), V(10, 0.05)).toShape(),
+                  Part.LineSegment(V(10, 0.05), V(20, 0.05)).toShape()]
+        pieces = self.add("Pieces", Part.makeCompound(shapes))
+        labels = {place.label() for place, _ in self.analyze(*self.links(pieces, [1, 2, 3, 4]))}
+        self.assertIn("Pieces.Edge1 – Edge2", labels)
+        self.assertNotIn("Pieces.Edge1 – Edge4", labels)
+
     def test_missing_object_is_named(self):
         with self.assertRaisesRegex(LinkError, "Nobody no longer exists"):
             EdgeLink(self.doc.Name, "Nobody", "Edge1").resolve()

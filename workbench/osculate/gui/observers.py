@@ -4,25 +4,38 @@ FreeCAD calls observers in the middle of its own work, often many times for one 
 Here every call only starts a timer, so that the panel acts once, afterwards.
 """
 
+import time
+
 import FreeCAD
 import FreeCADGui
 
 from osculate.gui.qt import QtCore
 
+_QUICK = 0.1  # seconds that nobody notices
+
 
 class _Later:
-    """Calls a function once, when the event loop is reached."""
+    """Calls a function once, when the event loop is reached; a slow one only after a pause as long
+    as it last took, so that it does not hold up the user's work.
+    """
 
     def __init__(self, function):
+        self._function = function
+        self._pause = 0.0
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
-        self._timer.timeout.connect(function)
+        self._timer.timeout.connect(self._call)
 
     def start(self, *_args):
-        self._timer.start(0)
+        self._timer.start(0 if self._pause < _QUICK else round(1000 * self._pause))
 
     def stop(self):
         self._timer.stop()
+
+    def _call(self):
+        started = time.monotonic()
+        self._function()
+        self._pause = time.monotonic() - started
 
 
 class ModelObserver:

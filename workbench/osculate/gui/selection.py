@@ -3,7 +3,7 @@
 import FreeCADGui
 import Part
 
-from osculate.features.edge_link import EdgeLink, LinkError, edges_of_object
+from osculate.features.edge_link import EdgeLink, LinkError, edges_of_object, resolve_all
 from osculate.gui.qt import translate
 
 
@@ -46,9 +46,10 @@ def _links_of(obj, sub):
 
 def _edges_at_vertex(obj, path, sub):
     vertex = Part.getShape(obj, sub, needSubElement=True)
-    links = edges_of_object(obj, path)
-    meeting = [link for link in links if any(vertex.isSame(other) or vertex.Point == other.Point
-                                             for other in link.resolve().Vertexes)]
+    edges = resolve_all(edges_of_object(obj, path))
+    meeting = [link for link, edge in edges.items()
+               if any(vertex.isSame(other) or vertex.Point == other.Point
+                      for other in edge.Vertexes)]
     if not meeting:
         raise LinkError(translate("Osculate", "No edge ends at {}.")
                         .format(EdgeLink.of(obj, sub).label()))

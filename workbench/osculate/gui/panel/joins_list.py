@@ -16,6 +16,7 @@ class JoinsList(QtWidgets.QWidget):
     def __init__(self):
         super().__init__()
         self.summary = QtWidgets.QLabel()
+        self.summary.setWordWrap(True)
         self.model = JoinsModel()
         self.view = QtWidgets.QTableView()
         self.view.setModel(self.model)
