@@ -1,5 +1,5 @@
 # Thin front for the common tasks. Each installs the Debian packages it needs (.ci/setup) and says so.
-.PHONY: help build test demo install bench format lint asan compat
+.PHONY: help build module test demo install bench format lint asan compat
 .DEFAULT_GOAL := help
 
 help:           ## this list
@@ -10,15 +10,20 @@ build:          ## the core, the Python module in workbench/osculate, the tests
 	cmake --preset release
 	cmake --build --preset release
 
+module:         ## the Python module alone
+	.ci/setup build test freecad
+	cmake --preset release
+	cmake --build --preset release --target _core
+
 test: build asan        ## everything: core, Python, FreeCAD, GUI, sanitizers, consumer, demo
 	.ci/setup gui
 	ctest --preset release -j$(shell nproc)
 
-demo: build     ## analyses real models; report, JSON, CSV, FCStd and picture in demo-output/
+demo: module    ## analyses real models; report, JSON, CSV, FCStd and picture in demo-output/
 	.ci/setup gui
 	resources/demo/run demo-output
 
-install: build  ## the add-on into FreeCAD's Mod folder, or into PREFIX=<folder of the add-on>
+install: module ## the add-on into FreeCAD's Mod folder, or into PREFIX=<folder of the add-on>
 	.ci/install-addon build/release $(PREFIX)
 
 bench:          ## timings beside those of OpenCASCADE, and of a report from Python
