@@ -13,9 +13,10 @@ namespace {
 constexpr const char* kTypeName = "TopoDS_Shape *";
 
 // The tables that SWIG would generate for a module with one type. The runtime links them into its
-// list of modules, which lives as long as the process.
+// list of modules, which lives as long as the process. The members of a cast differ between
+// versions of the runtime; all zero but the type is the cast of a type to itself in each.
 swig_type_info shapeType{"_p_TopoDS_Shape", kTypeName, nullptr, nullptr, nullptr, 0};
-swig_cast_info shapeCast{&shapeType, nullptr, nullptr, nullptr};
+swig_cast_info shapeCast{};
 swig_type_info* types[] = {&shapeType, nullptr};
 swig_cast_info* casts[] = {&shapeCast, nullptr};
 swig_module_info moduleInfo{types, 1, &moduleInfo, types, casts, nullptr};
@@ -25,6 +26,7 @@ swig_module_info moduleInfo{types, 1, &moduleInfo, types, casts, nullptr};
 void registerShapeType() {
   swig_module_info* const known = SWIG_GetModule(nullptr);
   if (known != nullptr && SWIG_TypeQueryModule(known, known, kTypeName) != nullptr) return;
+  shapeCast.type = &shapeType;
   shapeType.cast = &shapeCast;
   if (known == nullptr) {
     SWIG_SetModule(nullptr, &moduleInfo);
