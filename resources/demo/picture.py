@@ -108,6 +108,8 @@ def main():
     grab_panel(document, view)
     for obj in document.Objects:
         obj.ViewObject.Visibility = True
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document").SetBool(
+        "CreateBackupFiles", False)
     document.save()
 
 
