@@ -222,3 +222,31 @@ class EditTest(JoinCheckCase):
         self.doc.removeObject(self.check.Name)
         self.pump()
         self.assertIsNone(self.form())
+
+
+class MadeWithoutGuiTest(GuiCase):
+    def test_gets_icon_and_label_when_it_is_opened(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "headless.FCStd")
+            script = os.path.join(folder, "make_it.py")
+            with open(script, "w", encoding="utf-8") as file:
+                file.write(textwrap.dedent(f"""
+                    import os, sys, FreeCAD
+                    sys.path.insert(0, {os.path.dirname(samples.__file__)!r})
+                    import samples
+                    from osculate.features import make_join_check
+                    doc = FreeCAD.newDocument("Headless")
+                    line, arc = samples.line_and_arc(doc)
+                    make_join_check(doc, (line, "Edge1"), (arc, "Edge1"))
+                    doc.saveAs({path!r})
+                    os._exit(0)
+                    """))
+            subprocess.run(["freecadcmd", script], timeout=60, capture_output=True, check=True)
+            self.doc = FreeCAD.openDocument(path)
+        self.pump()
+        for obj in self.doc.Objects:
+            obj.Visibility = True  # files made without a GUI do not say
+        self.fit()
+        icon = self.doc.JoinCheck.ViewObject.Proxy.getIcon()
+        self.assertEqual(os.path.basename(icon), "verdict-g1.svg")
+        self.assertGreater(self.count_pixels(self.image("headless"), colors.ORDERS[1]), 300)

@@ -4,6 +4,7 @@ import math
 
 import FreeCAD
 
+from osculate.features import views
 from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.features.join_check_properties import add_properties, set_editors, set_numbers
 from osculate.features.joins import ENDS, JoinPlace
@@ -30,7 +31,7 @@ class JoinCheck:
         if obj.SchemaVersion != self.SCHEMA_VERSION:
             obj.SchemaVersion = self.SCHEMA_VERSION
         set_editors(obj)
-        _give_view(obj)  # a check from a script without a GUI has none yet
+        views.give_view(obj)  # a check from a script without a GUI has none yet
 
     def onChanged(self, obj, name):
         if name == "Preset" and not FreeCAD.isRestoring():
@@ -72,7 +73,7 @@ def make_join_check(doc, first, second, *, order=4, ends=None, preset="osculate"
     _check_arguments(order, ends, preset, values, knot)
     obj = doc.addObject("App::FeaturePython", name)
     JoinCheck(obj)
-    _give_view(obj)
+    views.give_view(obj)
     obj.First = first
     obj.Second = second
     configure(obj, order=order, ends=ends, preset=preset, values=values, knot=knot)
@@ -113,13 +114,6 @@ def tolerance_values_in(obj):
     """The five tolerances that a JoinCheck shows."""
     return ToleranceValues(obj.GapTolerance.Value, obj.AngleTolerance.Value,
                            obj.CurvatureTolerance, obj.ThirdTolerance, obj.FourthTolerance)
-
-
-def _give_view(obj):
-    if FreeCAD.GuiUp:
-        from osculate.gui.join_check_view import JoinCheckView
-        if not isinstance(obj.ViewObject.Proxy, JoinCheckView):
-            JoinCheckView(obj.ViewObject)
 
 
 def _check_arguments(order, ends, preset, values, knot):

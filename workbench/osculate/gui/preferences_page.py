@@ -2,6 +2,7 @@
 
 import FreeCADGui
 
+from osculate.features.tolerance_choice import PRESETS
 from osculate.gui import preferences, resources
 from osculate.gui.qt import QtGui
 
@@ -10,7 +11,6 @@ class PreferencesPage:
     """FreeCAD shows `form`, and calls loadSettings and saveSettings."""
 
     def __init__(self, _parent=None):
-        from osculate.features.tolerance_choice import PRESETS
         self.form = FreeCADGui.PySideUic.loadUi(resources.form_path("preferences"))
         self.form.setWindowIcon(resources.icon("osculate"))
         self.form.preset.addItems(PRESETS)
