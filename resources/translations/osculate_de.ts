@@ -1,0 +1,534 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>App::Property</name>
+    <message>
+        <source>The edge that arrives at the join</source>
+        <translation>Die Kante, die am Übergang ankommt</translation>
+    </message>
+    <message>
+        <source>The edge that leaves the join</source>
+        <translation>Die Kante, die den Übergang verlässt</translation>
+    </message>
+    <message>
+        <source>Which end of the first and of the second edge meet</source>
+        <translation>Welches Ende der ersten und der zweiten Kante sich treffen</translation>
+    </message>
+    <message>
+        <source>Number of an inner knot of the first edge, 0 for a join at ends</source>
+        <translation>Nummer eines inneren Knotens der ersten Kante, 0 für einen Übergang an den Enden</translation>
+    </message>
+    <message>
+        <source>Highest order analysed, 0 to 8</source>
+        <translation>Höchste untersuchte Ordnung, 0 bis 8</translation>
+    </message>
+    <message>
+        <source>Tolerances of Osculate, of another system, or custom</source>
+        <translation>Toleranzen von Osculate, eines anderen Systems oder eigene</translation>
+    </message>
+    <message>
+        <source>Largest distance of the ends that passes G0</source>
+        <translation>Größter Abstand der Enden, der G0 besteht</translation>
+    </message>
+    <message>
+        <source>Largest angle between the tangents that passes G1</source>
+        <translation>Größter Winkel der Tangenten, der G1 besteht</translation>
+    </message>
+    <message>
+        <source>Largest relative deviation of curvature that passes G2</source>
+        <translation>Größte relative Abweichung der Krümmung, die G2 besteht</translation>
+    </message>
+    <message>
+        <source>Largest relative deviation of the third derivative that passes G3</source>
+        <translation>Größte relative Abweichung der dritten Ableitung, die G3 besteht</translation>
+    </message>
+    <message>
+        <source>Largest relative deviation that passes G4 and above</source>
+        <translation>Größte relative Abweichung, die G4 und höher besteht</translation>
+    </message>
+    <message>
+        <source>OK, or why there is no result</source>
+        <translation>OK, oder warum es kein Ergebnis gibt</translation>
+    </message>
+    <message>
+        <source>G0 to G8, gap, or error</source>
+        <translation>G0 bis G8, gap (Lücke) oder error (Fehler)</translation>
+    </message>
+    <message>
+        <source>Order of geometric continuity, -1 for a gap</source>
+        <translation>Ordnung der geometrischen Stetigkeit, -1 bei einer Lücke</translation>
+    </message>
+    <message>
+        <source>Order of parametric continuity, -1 for a gap</source>
+        <translation>Ordnung der parametrischen Stetigkeit, -1 bei einer Lücke</translation>
+    </message>
+    <message>
+        <source>The verdict in one line</source>
+        <translation>Das Urteil in einer Zeile</translation>
+    </message>
+    <message>
+        <source>pass, fail or undecided for each order from 0</source>
+        <translation>pass, fail oder undecided für jede Ordnung ab 0</translation>
+    </message>
+    <message>
+        <source>Deviation of each order from 0: mm, degrees, then relative</source>
+        <translation>Abweichung jeder Ordnung ab 0: mm, Grad, dann relativ</translation>
+    </message>
+    <message>
+        <source>The end of the first edge at the join</source>
+        <translation>Das Ende der ersten Kante am Übergang</translation>
+    </message>
+    <message>
+        <source>Version of this object&apos;s properties</source>
+        <translation>Version der Eigenschaften dieses Objekts</translation>
+    </message>
+    <message>
+        <source>The whole report as JSON, schema osculate.join/1</source>
+        <translation>Der ganze Bericht als JSON, Schema osculate.join/1</translation>
+    </message>
+    <message>
+        <source>Distance of the two ends</source>
+        <extracomment>Key in the report&apos;s deviation (or of a side) -&gt; property. NaN and hidden where it does not exist.</extracomment>
+        <translation>Abstand der beiden Enden</translation>
+    </message>
+    <message>
+        <source>Angle between the tangents in the direction of travel</source>
+        <translation>Winkel zwischen den Tangenten in Laufrichtung</translation>
+    </message>
+    <message>
+        <source>Angle between the binormals</source>
+        <translation>Winkel zwischen den Binormalen</translation>
+    </message>
+    <message>
+        <source>Radius of curvature of the first edge at the join</source>
+        <translation>Krümmungsradius der ersten Kante am Übergang</translation>
+    </message>
+    <message>
+        <source>Radius of curvature of the second edge at the join</source>
+        <translation>Krümmungsradius der zweiten Kante am Übergang</translation>
+    </message>
+    <message>
+        <source>Curvature of the first edge at the join, 1/mm</source>
+        <translation>Krümmung der ersten Kante am Übergang, 1/mm</translation>
+    </message>
+    <message>
+        <source>Curvature of the second edge at the join, 1/mm</source>
+        <translation>Krümmung der zweiten Kante am Übergang, 1/mm</translation>
+    </message>
+    <message>
+        <source>Length of the difference of the curvature vectors, 1/mm</source>
+        <translation>Länge der Differenz der Krümmungsvektoren, 1/mm</translation>
+    </message>
+    <message>
+        <source>Difference of the torsions, 1/mm</source>
+        <translation>Differenz der Windungen, 1/mm</translation>
+    </message>
+    <message>
+        <source>Difference of the rates of curvature by arc length, 1/mm²</source>
+        <translation>Differenz der Krümmungsänderungen nach der Bogenlänge, 1/mm²</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate</name>
+    <message>
+        <source>No edge is linked (its object was deleted?).</source>
+        <extracomment>(N, K+1): bounds of the errors of the residuals</extracomment>
+        <translation>Es ist keine Kante verknüpft (wurde ihr Objekt gelöscht?).</translation>
+    </message>
+    <message>
+        <source>{} is linked without one edge of it.</source>
+        <translation>{} ist ohne eine seiner Kanten verknüpft.</translation>
+    </message>
+    <message>
+        <source>{} no longer exists.</source>
+        <translation>{} gibt es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>{} is not an edge but a {}.</source>
+        <translation>{} ist keine Kante, sondern: {}.</translation>
+    </message>
+    <message>
+        <source>{} has no {}.</source>
+        <translation>{} hat kein {}.</translation>
+    </message>
+    <message>
+        <source>{} has no edges.</source>
+        <translation>{} hat keine Kanten.</translation>
+    </message>
+    <message>
+        <source>{} has no inner knot {} (it has {}).</source>
+        <extracomment>An end that meets no other is joined with those within this multiple of the gap tolerance.</extracomment>
+        <translation>{} hat keinen inneren Knoten {} (nur {}).</translation>
+    </message>
+    <message>
+        <source>{}, knot {}</source>
+        <translation>{}, Knoten {}</translation>
+    </message>
+    <message>
+        <source>{}, closing</source>
+        <translation>{}, Schließung</translation>
+    </message>
+    <message>
+        <source>Keep join check</source>
+        <extracomment>open while the object is edited</extracomment>
+        <translation>Übergangsprüfung behalten</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <extracomment>&quot;text&quot;, &quot;json&quot; or &quot;csv&quot;</extracomment>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the report as text</source>
+        <translation>Den Bericht als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save all joins as CSV or JSON</source>
+        <translation>Alle Übergänge als CSV oder JSON speichern</translation>
+    </message>
+    <message>
+        <source>Keep as object</source>
+        <translation>Als Objekt behalten</translation>
+    </message>
+    <message>
+        <source>Add a check of this join to the document; it follows every edit</source>
+        <translation>Dem Dokument eine Prüfung dieses Übergangs hinzufügen; sie folgt jeder Änderung</translation>
+    </message>
+    <message>
+        <source>Text (this join)</source>
+        <translation>Text (dieser Übergang)</translation>
+    </message>
+    <message>
+        <source>JSON (all joins)</source>
+        <translation>JSON (alle Übergänge)</translation>
+    </message>
+    <message>
+        <source>CSV (all joins)</source>
+        <translation>CSV (alle Übergänge)</translation>
+    </message>
+    <message>
+        <source>Definition</source>
+        <translation>Definition</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Always take the ends that lie nearest</source>
+        <extracomment>a pair of ends, or None for the nearest</extracomment>
+        <translation>Immer die nächstgelegenen Enden nehmen</translation>
+    </message>
+    <message>
+        <source>Swap the edges: travel the other way</source>
+        <translation>Kanten tauschen: in der anderen Richtung laufen</translation>
+    </message>
+    <message>
+        <source>Take the other end of this edge</source>
+        <translation>Das andere Ende dieser Kante nehmen</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Edit {}</source>
+        <translation>{} bearbeiten</translation>
+    </message>
+    <message>
+        <source>Tick &quot;Follow the selection&quot; and select two edges.</source>
+        <translation>„Der Auswahl folgen“ ankreuzen und zwei Kanten auswählen.</translation>
+    </message>
+    <message>
+        <source>{} has no inner joins. Hold Ctrl and select the edge that it meets.</source>
+        <extracomment>whether the form offers &quot;Keep as object&quot;</extracomment>
+        <translation>{} hat keine inneren Übergänge. Mit gedrückter Strg-Taste die Kante auswählen, die sie trifft.</translation>
+    </message>
+    <message>
+        <source>Saved to {}</source>
+        <translation>Gespeichert in {}</translation>
+    </message>
+    <message>
+        <source>Save the joins</source>
+        <translation>Die Übergänge speichern</translation>
+    </message>
+    <message>
+        <source>{} was added to the document.</source>
+        <translation>{} wurde dem Dokument hinzugefügt.</translation>
+    </message>
+    <message>
+        <source>Double-click zooms to the join</source>
+        <extracomment>JoinPlace of a row that was double-clicked</extracomment>
+        <translation>Doppelklick zoomt zum Übergang</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>Verfehlt</translation>
+    </message>
+    <message>
+        <source>{} joins, worst first: {}</source>
+        <translation>{} Übergänge, schlechteste zuerst: {}</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>tangent</source>
+        <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Analyze join</source>
+        <translation>Übergang untersuchen</translation>
+    </message>
+    <message>
+        <source>Follow the selection</source>
+        <translation>Der Auswahl folgen</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Beide Seiten</translation>
+    </message>
+    <message>
+        <source>Definitions of G2 and G3</source>
+        <translation>Definitionen von G2 und G3</translation>
+    </message>
+    <message>
+        <source>Tolerances</source>
+        <translation>Toleranzen</translation>
+    </message>
+    <message>
+        <source>legs on tangent</source>
+        <extracomment>set where one given place is analysed instead of links</extracomment>
+        <translation>Schenkel auf der Tangente</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>torsion</source>
+        <translation>Windung</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <extracomment>Options</extracomment>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Up to order</source>
+        <translation>Bis zur Ordnung</translation>
+    </message>
+    <message>
+        <source>G0 gap</source>
+        <translation>G0 Lücke</translation>
+    </message>
+    <message>
+        <source>G1 angle</source>
+        <translation>G1 Winkel</translation>
+    </message>
+    <message>
+        <source>G2 relative</source>
+        <translation>G2 relativ</translation>
+    </message>
+    <message>
+        <source>G3 relative</source>
+        <translation>G3 relativ</translation>
+    </message>
+    <message>
+        <source>G4 and above</source>
+        <translation>G4 und höher</translation>
+    </message>
+    <message>
+        <source> From Osculate: {}.</source>
+        <translation> Von Osculate: {}.</translation>
+    </message>
+    <message>
+        <source>Your own values.</source>
+        <translation>Eigene Werte.</translation>
+    </message>
+    <message>
+        <source>tolerance {} ({})</source>
+        <translation>Toleranz {} ({})</translation>
+    </message>
+    <message>
+        <source>all orders asked for pass ({})</source>
+        <translation>alle gefragten Ordnungen bestehen ({})</translation>
+    </message>
+    <message>
+        <source>not continuous in the curves&apos; parameters</source>
+        <translation>in den Parametern der Kurven nicht stetig</translation>
+    </message>
+    <message>
+        <source>C{} in the curves&apos; own parameters</source>
+        <translation>C{} in den eigenen Parametern der Kurven</translation>
+    </message>
+    <message>
+        <source>Select two edges that meet (Ctrl adds the second), the vertex between them, or a whole wire or sketch.</source>
+        <translation>Zwei Kanten auswählen, die sich treffen (die zweite mit Strg), den Punkt zwischen ihnen oder einen ganzen Kantenzug oder eine Skizze.</translation>
+    </message>
+    <message>
+        <source>{} is no edge.</source>
+        <translation>{} ist keine Kante.</translation>
+    </message>
+    <message>
+        <source>No edge ends at {}.</source>
+        <translation>Bei {} endet keine Kante.</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <extracomment>Narrower, the tables of numbers would be cut; pixels at the usual 96 dots per inch.</extracomment>
+        <translation>besteht</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>verfehlt</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>not defined here</source>
+        <translation>hier nicht definiert</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <extracomment>name of an icon of resources/icons</extracomment>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>{} undecided</source>
+        <translation>{} unentschieden</translation>
+    </message>
+    <message>
+        <source>{} does not exist here</source>
+        <translation>{} gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>{} by {}</source>
+        <translation>{} um {}</translation>
+    </message>
+    <message>
+        <source>misses {} by {}</source>
+        <translation>verfehlt {} um {}</translation>
+    </message>
+</context>
+<context>
+    <name>OsculatePreferences</name>
+    <message>
+        <source>Joins</source>
+        <translation>Übergänge</translation>
+    </message>
+    <message>
+        <source>Analysis</source>
+        <translation>Untersuchung</translation>
+    </message>
+    <message>
+        <source>Tolerance preset</source>
+        <translation>Toleranzvorgabe</translation>
+    </message>
+    <message>
+        <source>Analyse up to order</source>
+        <translation>Untersuchen bis zur Ordnung</translation>
+    </message>
+    <message>
+        <source>The panel follows the selection</source>
+        <translation>Das Fenster folgt der Auswahl</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>In der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Frenet frames</source>
+        <translation>Frenet-Dreibeine</translation>
+    </message>
+    <message>
+        <source>Control polygons</source>
+        <translation>Kontrollpolygone</translation>
+    </message>
+    <message>
+        <source>Length of the frames</source>
+        <translation>Länge der Dreibeine</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> Pixel</translation>
+    </message>
+    <message>
+        <source>Size of labels</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source> points</source>
+        <translation> Punkt</translation>
+    </message>
+    <message>
+        <source>First curve (arriving)</source>
+        <translation>Erste Kurve (ankommend)</translation>
+    </message>
+    <message>
+        <source>Second curve (leaving)</source>
+        <translation>Zweite Kurve (abgehend)</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_AnalyzeJoin</name>
+    <message>
+        <source>Analyze join</source>
+        <extracomment>In the order of the toolbar and of the menu.</extracomment>
+        <translation>Übergang untersuchen</translation>
+    </message>
+    <message>
+        <source>Shows which continuity G0 to G4 two edges have where they meet, and by how much each order misses.
+Select two edges, the vertex between them, or a whole wire or sketch.</source>
+        <translation>Zeigt, welche Stetigkeit G0 bis G4 zwei Kanten haben, wo sie sich treffen, und um wie viel jede Ordnung verfehlt wird.
+Zwei Kanten auswählen, den Punkt zwischen ihnen oder einen ganzen Kantenzug oder eine Skizze.</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Geometric continuity G0 to G4 of curves</source>
+        <translation>Geometrische Stetigkeit G0 bis G4 von Kurven</translation>
+    </message>
+    <message>
+        <source>Osculate</source>
+        <translation>Osculate</translation>
+    </message>
+    <message>
+        <source>&amp;Osculate</source>
+        <translation>&amp;Osculate</translation>
+    </message>
+</context>
+</TS>
