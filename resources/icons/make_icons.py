@@ -89,9 +89,11 @@ def command_icons():
             stroke("M29 33.4 L32 36.4 L37.2 30", GOOD, 3))
     pin = ('<path d="M18 4 H32 L30 16 L37 24 H13 L20 16 Z" fill="#e8860c"/>',
            stroke("M25 24 V44", NEUTRAL, 4))
+    workbench = curves('<circle cx="33.5" cy="29" r="10.8" fill="none" stroke="#7c8794"'
+                       ' stroke-width="2.4" stroke-dasharray="4 3.4"/>', node())
     return {
-        "osculate": curves('<circle cx="33.5" cy="29" r="10.8" fill="none" stroke="#7c8794"'
-                           ' stroke-width="2.4" stroke-dasharray="4 3.4"/>', node()),
+        "osculate": workbench,
+        "preferences-osculate": workbench,  # by this name FreeCAD finds that of the preferences
         "analyze-join": curves(node(), *lens),
         "keep": pin,
     }

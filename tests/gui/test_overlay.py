@@ -56,18 +56,23 @@ class OverlayTest(GuiCase):
         self.assertEqual(self.children(), before)
         self.assertEqual(self.image("closed"), plain)
 
-    def test_is_in_every_view_and_leaves_all(self):
-        document = FreeCADGui.getDocument(self.doc.Name)
-        FreeCADGui.runCommand("Std_ViewCreate")
-        self.pump()
-        views = document.mdiViewsOfType("Gui::View3DInventor")
-        self.assertGreater(len(views), 1)
-        before = [view.getSceneGraph().getNumChildren() for view in views]
+    def test_is_in_every_view_even_a_new_one_and_leaves_all(self):
         self.show()
-        self.assertEqual([view.getSceneGraph().getNumChildren() for view in views],
-                         [number + 1 for number in before])
+        FreeCADGui.runCommand("Std_ViewCreate")
+        self.second.Placement.Base.y = 2.0
+        self.pump()
+        document = FreeCADGui.getDocument(self.doc.Name)
+        scenes = [view.getSceneGraph()
+                  for view in document.mdiViewsOfType("Gui::View3DInventor")]
+        self.assertGreater(len(scenes), 1)
+        self.assertTrue(all(self.overlays_in(scene) for scene in scenes))
         self.close_panel()
-        self.assertEqual([view.getSceneGraph().getNumChildren() for view in views], before)
+        self.assertFalse(any(self.overlays_in(scene) for scene in scenes))
+
+    @staticmethod
+    def overlays_in(scene):
+        return [child for child in scene.getChildren()
+                if child.getName().getString() == "OsculateOverlay"]
 
     def test_frame_keeps_its_size_on_the_screen(self):
         self.show()

@@ -5,7 +5,7 @@ from pivy import coin
 
 
 class SceneOverlay:
-    """One overlay, shown in every 3D view that its document has when it is shown."""
+    """One overlay, in every 3D view of the document that it is shown in."""
 
     def __init__(self):
         self._root = coin.SoSeparator()
@@ -17,8 +17,9 @@ class SceneOverlay:
         """Shows a node instead of what was shown before."""
         if document_name != self._document:
             self.remove()
-            self._enter(document_name)
-        self._root.removeAllChildren()
+            self._document = document_name
+        self._enter_new_views()
+        self.clear()
         self._root.addChild(node)
 
     def clear(self):
@@ -30,18 +31,17 @@ class SceneOverlay:
         self.clear()
         for scene in self._scenes:
             scene.removeChild(self._root)
-        self._scenes = []
-        self._document = None
+        self.forget()
 
     def forget(self):
         """The document is closing: its views are gone or going."""
         self._scenes = []
         self._document = None
 
-    def _enter(self, document_name):
-        document = FreeCADGui.getDocument(document_name)
-        self._document = document_name
+    def _enter_new_views(self):
+        document = FreeCADGui.getDocument(self._document)
         for view in document.mdiViewsOfType("Gui::View3DInventor"):
             scene = view.getSceneGraph()
-            scene.addChild(self._root)
-            self._scenes.append(scene)
+            if scene.findChild(self._root) < 0:
+                scene.addChild(self._root)
+                self._scenes.append(scene)
