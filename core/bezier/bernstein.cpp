@@ -14,6 +14,13 @@ class BezierBuilder {
     return curve;
   }
 
+  static BezierCurve copy(BezierView arrays) {
+    BezierCurve curve = polynomial(arrays.poles, arrays.degree);
+    curve.rational_ = arrays.weights != nullptr;
+    if (curve.rational_) std::copy_n(arrays.weights, arrays.degree + 1, curve.weights_.begin());
+    return curve;
+  }
+
   static BezierCurve rational(const double* points, int degree) {
     BezierCurve curve;
     curve.degree_ = degree;
@@ -28,6 +35,8 @@ class BezierBuilder {
 };
 
 BezierCurve bezierFromPoles(const double* poles, int degree) { return BezierBuilder::polynomial(poles, degree); }
+
+BezierCurve bezierFromArrays(BezierView arrays) { return BezierBuilder::copy(arrays); }
 
 BezierCurve bezierFromHomogeneous(const double* points, int degree) {
   return BezierBuilder::rational(points, degree);

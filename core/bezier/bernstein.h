@@ -37,6 +37,8 @@ Net toNet(BezierView curve);
 BezierCurve fromNet(const Net& net);
 /// A polynomial curve from degree+1 points x y z, a rational one from degree+1 points w x, w y, w z, w.
 BezierCurve bezierFromPoles(const double* poles, int degree);
+/// The same bits, without a check.
+BezierCurve bezierFromArrays(BezierView arrays);
 BezierCurve bezierFromHomogeneous(const double* points, int degree);
 
 /// The point of space a net point stands for.

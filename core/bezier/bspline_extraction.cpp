@@ -98,6 +98,10 @@ BezierSegment extractRational(const BSplineCurve::State& state, int span, LocalK
   }
   const int left = clampLeft<4>(q, knots);
   const int right = clampRight<4>(q, knots);
+  if (left + right == 0) {  // the poles are Bézier poles already: no detour by homogeneous ones
+    const BezierView own{state.poles() + 3 * (span - p), state.weights() + (span - p), p};
+    return {bezierFromArrays(own), knots.a(), knots.b(), state.data.poleError};
+  }
   double lightest = heaviest;
   for (int j = 0; j <= p; ++j) lightest = std::min(lightest, q(3, j));
   return {bezierFromHomogeneous(q.data(), p), knots.a(), knots.b(),

@@ -219,6 +219,7 @@ std::string reportTable(const JoinReport& report) {
   for (const Warning warning : report.warnings.list()) {
     text += "  " + std::string(code(warning)) + ": " + std::string(sentence(warning)) + "\n";
   }
+  text.pop_back();  // whoever prints it ends the line
   return text;
 }
 
