@@ -30,9 +30,10 @@ def line_and_arc(doc, radius=20.0):
     return line, arc
 
 
-def cut_curve(doc):
-    """One quintic in two objects: every order passes."""
-    whole = bezier((0, 0, 0), (20, 5, 0), (40, 30, 10), (60, 20, 10), (80, 0, 20), (100, 10, 0))
+def cut_curve(doc, scale=1.0, offset=0.0):
+    """One quintic in two objects: every order passes, unless the offset eats the digits."""
+    poles = ((0, 0, 0), (20, 5, 0), (40, 30, 10), (60, 20, 10), (80, 0, 20), (100, 10, 0))
+    whole = bezier(*([offset + scale * x for x in pole] for pole in poles))
     first, second = whole.copy(), whole.copy()
     first.segment(0.0, 0.4)
     second.segment(0.4, 1.0)

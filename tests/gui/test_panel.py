@@ -228,6 +228,21 @@ class PairTest(GuiCase):
             JoinPanel.ask_path = asked
 
 
+class UndecidedTest(GuiCase):
+    def test_is_said_in_panel_and_list(self):
+        first, second = samples.cut_curve(self.doc, scale=1e-3, offset=1e4)
+        form = self.analyze((first, "Edge1"), (second, "Edge1"))
+        self.assertIn("<b>G4</b>", form.banner.text.text())
+        form.tolerances.preset.setCurrentText("exact")
+        self.pump()
+        self.assertIn("<b>G1</b>, G2 undecided", form.banner.text.text())
+        self.assertIn("?&nbsp;undecided", form.orders.text())
+        self.assertIn("&lt; ", form.orders.text())
+        self.assertIn("coordinates", form.warnings.text())
+        self.fit()
+        self.screenshot("undecided")
+
+
 class ListTest(GuiCase):
     def setUp(self):
         super().setUp()

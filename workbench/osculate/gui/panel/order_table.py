@@ -23,9 +23,15 @@ class OrderTable(ReportLabel):
 
 
 def _deviation(report, order):
-    """The residual; "≈ 0" where it is within what double coordinates carry."""
+    """The residual; "≈ 0" where it is within what double coordinates carry, and where that is too
+    much to decide, the most that it can be.
+    """
     residual, uncertainty = report.residuals[order], report.uncertainties[order]
-    if residual is None or uncertainty is None or residual > uncertainty:
+    if residual is None or uncertainty is None:
+        return numbers.residual(order, residual)
+    if report.verdicts[order] == "undecided":
+        return "&lt; " + numbers.residual(order, residual + uncertainty, 2)
+    if residual > uncertainty:
         return numbers.residual(order, residual)
     return "≈ " + numbers.residual(order, 0.0)
 
