@@ -12,7 +12,8 @@ namespace osculate {
 namespace {
 
 /// A span of the curve on which a pole over the knots [low, high] has influence.
-int spanBetween(const BSplineCurve& curve, const BSplineCurve::State& state, double low, double high) {
+int spanBetween(const BSplineCurve& curve, const BSplineCurve::State& state, double low,
+                double high) {
   const double middle = 0.5 * (std::max(low, state.first) + std::min(high, state.last));
   return state.spans[static_cast<std::size_t>(curve.spanAt(middle))];
 }
@@ -21,20 +22,33 @@ bool isClamped(const BSplineCurve::State& state) {
   return state.flat.front() == state.first && state.flat.back() == state.last;
 }
 
+/// The knot that t misses by no more than the rounding of a shift by a period, or t.
+double snapped(const BSplineCurve::State& state, double t) {
+  const double tolerance =
+      8.0 * kUnitRoundoff * std::max(std::abs(state.first), std::abs(state.last));
+  const auto above = std::lower_bound(state.flat.begin(), state.flat.end(), t - tolerance);
+  return above != state.flat.end() && *above <= t + tolerance ? *above : t;
+}
+
 void setPole(BSplineData& data, Eigen::Index i, const NetPoint& point) {
   data.poles.col(i) = project(point);
   if (point.rows() == 4) data.weights[static_cast<std::size_t>(i)] = point[3];
 }
 
 BSplineData emptyData(const std::vector<double>& flat, int degree, const BSplineData& like) {
-  BSplineData data{.poles = Poles(3, static_cast<Eigen::Index>(flat.size()) - degree - 1), .weights = {},
-                   .knots = compress(flat), .degree = degree, .periodic = false, .poleError = like.poleError};
+  BSplineData data{.poles = Poles(3, static_cast<Eigen::Index>(flat.size()) - degree - 1),
+                   .weights = {},
+                   .knots = compress(flat),
+                   .degree = degree,
+                   .periodic = false,
+                   .poleError = like.poleError};
   if (!like.weights.empty()) data.weights.resize(static_cast<std::size_t>(data.poles.cols()));
   return data;
 }
 
 /// f(v) for a degree raised by one: the mean of the blossoms with one argument left out.
-NetPoint raisedBlossom(const BSplineCurve::State& state, int span, std::span<const double> arguments) {
+NetPoint raisedBlossom(const BSplineCurve::State& state, int span,
+                       std::span<const double> arguments) {
   NetPoint sum = NetPoint::Zero(state.data.weights.empty() ? 3 : 4);
   for (std::size_t omitted = 0; omitted < arguments.size(); ++omitted) {
     std::vector<double> rest(arguments.begin(), arguments.end());
@@ -60,7 +74,8 @@ BSplineCurve BSplineCurve::reversed() const {
   const double sum = first() + last();
   std::reverse(data.knots.knots.begin(), data.knots.knots.end());
   std::reverse(data.knots.multiplicities.begin(), data.knots.multiplicities.end());
-  for (double& knot : data.knots.knots) knot = sum - knot;
+  for (double& knot : data.knots.knots)
+    knot = sum - knot;
   const Eigen::Index count = data.poles.cols();
   // a periodic curve begins with the pole over the end of its range: see periodicFlatKnots
   const Eigen::Index top =
@@ -69,7 +84,8 @@ BSplineCurve BSplineCurve::reversed() const {
     const Eigen::Index from = (top - i) % count;
     data.poles.col(i) = state_->data.poles.col(from);
     if (isRational()) {
-      data.weights[static_cast<std::size_t>(i)] = state_->data.weights[static_cast<std::size_t>(from)];
+      data.weights[static_cast<std::size_t>(i)] =
+          state_->data.weights[static_cast<std::size_t>(from)];
     }
   }
   return BSplineCurve(std::move(data));
@@ -77,13 +93,15 @@ BSplineCurve BSplineCurve::reversed() const {
 
 BSplineCurve BSplineCurve::elevated(int times) const {
   if (times < 0 || degree() + times > kMaxDegree) {
-    throw std::invalid_argument("times: the degree " + std::to_string(degree()) + " can be raised by 0 to " +
-                                std::to_string(kMaxDegree - degree()) + ", got " + std::to_string(times));
+    throw std::invalid_argument("times: the degree " + std::to_string(degree()) +
+                                " can be raised by 0 to " + std::to_string(kMaxDegree - degree()) +
+                                ", got " + std::to_string(times));
   }
   if (times == 0) return *this;
   BSplineData raised = state_->data;
   raised.degree += 1;
-  for (int& multiplicity : raised.knots.multiplicities) ++multiplicity;
+  for (int& multiplicity : raised.knots.multiplicities)
+    ++multiplicity;
   const std::vector<double> flat =
       isPeriodic() ? periodicFlatKnots(raised, 1) : raisedFlatKnots(raised, first(), last());
   if (!isPeriodic()) raised.knots = compress(flat);
@@ -113,7 +131,9 @@ BSplineCurve BSplineCurve::trimmed(double a, double b) const {
   if (isPeriodic()) {
     const double shift = period * std::floor((a - first()) / period);
     const BSplineCurve open(unrollPeriods(state_->data, 2));
-    return open.trimmed(a - shift, std::min(b - shift, open.last())).reparametrised(a, b);
+    const double from = snapped(*open.state_, a - shift);
+    const double to = snapped(*open.state_, std::min(b - shift, open.last()));
+    return open.trimmed(from, to).reparametrised(a, b);
   }
   if (a == first() && b == last() && isClamped(*state_)) return *this;
   const auto p = static_cast<std::size_t>(degree());

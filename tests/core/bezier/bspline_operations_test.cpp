@@ -105,6 +105,20 @@ TEST(BSplineCurve, TrimmedIsTheSameCurveOverItsPartAndClamped) {
   }
 }
 
+TEST(BSplineCurve, TrimmedBeyondTheSeamMeetsAKnotThatRoundingMisses) {
+  BSplineData data{.poles = Poles::Random(3, 6),
+                   .weights = {},
+                   .knots = {{0.0, 0.3, 0.5, 0.7, 1.0}, {2, 1, 1, 2, 2}},
+                   .degree = 3,
+                   .periodic = true,
+                   .poleError = 0.0};
+  const BSplineCurve curve(data);
+  const BSplineCurve part = curve.trimmed(1.0, 1.3);  // 1.3 - 1 is not 0.3 in doubles
+  EXPECT_EQ(part.spanCount(), 1);
+  EXPECT_EQ(part.last(), 1.3);
+  EXPECT_LE((part.evaluate(1.15) - curve.evaluate(0.15)).norm(), 1e-14);
+}
+
 TEST(BSplineCurve, TrimmedMayCrossTheSeamOfAPeriodicCurve) {
   Random random(74);
   for (const SplineSample& sample : splineSamples(74)) {
