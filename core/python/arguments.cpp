@@ -8,12 +8,6 @@ namespace osculate::python {
 
 namespace {
 
-[[noreturn]] void failType(const std::string& argument, const std::string& wanted,
-                           const py::handle& value) {
-  throw py::type_error(argument + ": must be " + wanted + ", got " +
-                       std::string(py::str(py::type::of(value).attr("__name__"))));
-}
-
 std::string shapeText(const py::array& array) { return py::str(array.attr("shape")); }
 
 [[noreturn]] void failShape(const std::string& argument, const std::string& wanted,
@@ -28,15 +22,12 @@ Array vectorFrom(const py::object& value, const char* argument) {
   return array;
 }
 
-CurveEnd endFrom(const py::handle& value) {
-  const std::string text = py::str(value);
-  if (text == "start") return CurveEnd::kStart;
-  if (text == "end") return CurveEnd::kEnd;
-  throw std::invalid_argument("ends: each must be 'start' or 'end', got " +
-                              std::string(py::repr(value)));
-}
-
 }  // namespace
+
+void failType(const std::string& argument, const std::string& wanted, const py::handle& value) {
+  throw py::type_error(argument + ": must be " + wanted + ", got " +
+                       std::string(py::str(py::type::of(value).attr("__name__"))));
+}
 
 Array arrayFrom(const py::object& value, const char* argument) {
   const py::array array = py::array::ensure(value);
@@ -109,6 +100,18 @@ bool boolFrom(const py::object& value, const char* argument) {
   return value.is(py::bool_(true));
 }
 
+py::sequence pairFrom(const py::object& value, const char* argument, const char* wanted) {
+  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) {
+    failType(argument, wanted, value);
+  }
+  const py::sequence pair = value;
+  if (pair.size() != 2) {
+    throw std::invalid_argument(std::string(argument) + ": must be a pair, got " +
+                                std::to_string(pair.size()) + " values");
+  }
+  return pair;
+}
+
 Side sideFrom(const py::object& value) {
   const std::string text = py::str(value);
   if (text == "left") return Side::kLeft;
@@ -119,16 +122,17 @@ Side sideFrom(const py::object& value) {
 
 const char* name(CurveEnd end) { return end == CurveEnd::kStart ? "start" : "end"; }
 
+CurveEnd endFrom(const py::handle& value) {
+  const std::string text = py::str(value);
+  if (text == "start") return CurveEnd::kStart;
+  if (text == "end") return CurveEnd::kEnd;
+  throw std::invalid_argument("ends: each must be 'start' or 'end', got " +
+                              std::string(py::repr(value)));
+}
+
 std::optional<JoinEnds> endsFrom(const py::object& value) {
   if (value.is_none()) return {};
-  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) {
-    failType("ends", "None or a pair of 'start' and 'end'", value);
-  }
-  const py::sequence pair = value;
-  if (pair.size() != 2) {
-    throw std::invalid_argument("ends: must be a pair, one end of each curve, got " +
-                                std::to_string(pair.size()) + " values");
-  }
+  const py::sequence pair = pairFrom(value, "ends", "None or a pair of 'start' and 'end'");
   return JoinEnds{endFrom(pair[0]), endFrom(pair[1])};
 }
 

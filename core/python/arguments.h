@@ -18,6 +18,10 @@ using Array = py::array_t<double, py::array::c_style>;
 // All of these raise TypeError for what is of the wrong kind and ValueError for a wrong shape or
 // value.
 
+/// TypeError: the argument must be what is `wanted`.
+[[noreturn]] void failType(const std::string& argument, const std::string& wanted,
+                           const py::handle& value);
+
 /// An array of numbers; a copy only where the argument is no contiguous float64 array.
 Array arrayFrom(const py::object& value, const char* argument);
 /// Shape (m, 3).
@@ -30,8 +34,12 @@ std::vector<int> integersFrom(const py::object& value, const char* argument);
 double numberFrom(const py::object& value, const char* argument);
 int integerFrom(const py::object& value, const char* argument);
 bool boolFrom(const py::object& value, const char* argument);
+/// A tuple or list of two values; `wanted` says of what.
+py::sequence pairFrom(const py::object& value, const char* argument, const char* wanted);
 /// "left" or "right".
 Side sideFrom(const py::object& value);
+/// "start" or "end".
+CurveEnd endFrom(const py::handle& value);
 /// None, or a pair of "start" and "end".
 std::optional<JoinEnds> endsFrom(const py::object& value);
 /// None, a Tolerances, or the name of a preset.

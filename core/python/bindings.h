@@ -14,6 +14,7 @@ void bindSide(py::module_& m);
 void bindReport(py::module_& m);
 void bindContinuity(py::module_& m);
 void bindBatch(py::module_& m);
+void bindConstruction(py::module_& m);
 void bindOcct(py::module_& m);
 
 }  // namespace osculate::python

@@ -30,7 +30,7 @@ def analyze(a, b, *, order=4, ends=None, tolerances=None, scale_mm=None):
     """
     first = shapes.curve_from(a, "a")
     second = first if a is b else shapes.curve_from(b, "b")
-    if a is b or _are_same(a, b):
+    if shapes.are_same(a, b):
         return _analyze_closing(first, order, ends, tolerances, scale_mm)
     return _core.analyze_pair(first, second, order, ends, tolerances, scale_mm)
 
@@ -74,13 +74,6 @@ def analyze_joins(first_poles, second_poles, first_weights=None, second_weights=
     """
     return JoinBatch(*_core.analyze_arrays(first_poles, second_poles, first_weights, second_weights,
                                            order, tolerances, progress))
-
-
-def _are_same(a, b):
-    """Whether two arguments are one and the same curve in space."""
-    if isinstance(a, _core.Curve) or isinstance(b, _core.Curve):
-        return a == b
-    return a.isSame(b)
 
 
 def _analyze_closing(curve, order, ends, tolerances, scale_mm):

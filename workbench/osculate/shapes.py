@@ -79,6 +79,15 @@ def curve_from(value, name):
         raise ValueError(str(error).replace("edge:", f"{name}:", 1)) from None
 
 
+def are_same(a, b):
+    """Whether two edges or Curves are one and the same curve in space."""
+    if a is b:
+        return True
+    if isinstance(a, _core.Curve) or isinstance(b, _core.Curve):
+        return a == b
+    return a.isSame(b)
+
+
 def edges_in_order(wire):
     """The edges of a Part.Wire from its beginning to its end, each oriented along the wire.
 
