@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,22 @@ __attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ..
   std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
   va_end(arguments);
   return buffer;
+}
+
+/// Words as lines of up to 100 columns: the first indented by 2, the others by 4.
+std::string paragraph(const std::string& words) {
+  constexpr std::size_t kColumns = 100;
+  std::string text;
+  std::string line = " ";
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    if (line.size() + 1 + word.size() > kColumns) {
+      text += line + "\n";
+      line = "   ";
+    }
+    line += " " + word;
+  }
+  return text + line + "\n";
 }
 
 std::string_view unitOf(int order) { return order == 0 ? " mm" : order == 1 ? " deg" : ""; }
@@ -47,13 +64,13 @@ std::string optional(const std::optional<double>& value) {
 
 std::string orderRows(const JoinReport& report) {
   std::string text =
-      "  order   residual      tolerance     uncertainty   verdict    C^m residual\n";
+      "  order   residual            tolerance     uncertainty   verdict    C^m residual\n";
   for (int k = 0; k <= report.requestedOrder; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const std::string unit(unitOf(k));
     const std::string parametric =
         k <= report.parametricOrder + 1 ? format("%.3g", report.parametricResiduals[i]) : "-";
-    text += format("  G%d      %-14s%-14s%-14s%-11s%s\n", k, amount(report.residuals[i], k).c_str(),
+    text += format("  G%d      %-20s%-14s%-14s%-11s%s\n", k, amount(report.residuals[i], k).c_str(),
                    (format("%.3g", report.tolerances[i]) + unit).c_str(),
                    (format("%.1e", report.uncertainties[i]) + unit).c_str(),
                    sign(report.verdicts[i]).data(), parametric.c_str());
@@ -91,10 +108,11 @@ std::string sideRows(const JoinReport& report) {
 
 std::string betaRow(const JoinReport& report) {
   if (report.betaCount == 0) return "";
-  std::string text = "  beta               ";
-  for (int k = 0; k < report.betaCount; ++k)
-    text += format(" %.6g", report.beta[static_cast<std::size_t>(k)]);
-  return text + "\n";
+  std::string words = "beta";
+  for (int k = 0; k < report.betaCount; ++k) {
+    words += format(" %.6g", report.beta[static_cast<std::size_t>(k)]);
+  }
+  return paragraph(words);
 }
 
 std::string definitionRows(const JoinReport& report) {
@@ -103,8 +121,9 @@ std::string definitionRows(const JoinReport& report) {
     const DefinitionResult& result = report.definitions[static_cast<std::size_t>(i)];
     const DefinitionInfo& about = info(static_cast<Definition>(i));
     if (!result.verdict) continue;
-    text += format("  %-19s%-11s%-11.3g%s\n", about.name.data(), sign(*result.verdict).data(),
-                   result.value, about.who.data());
+    const std::string value = std::isfinite(result.value) ? format("%.3g", result.value) : "-";
+    text += format("  %-19s%-11s%-11s%s\n", about.name.data(), sign(*result.verdict).data(),
+                   value.c_str(), about.who.data());
   }
   return text;
 }
@@ -190,8 +209,9 @@ std::string headline(const JoinReport& report) {
   const auto i = static_cast<std::size_t>(next);
   const std::string name = orderName(report.order);
   if (report.verdicts[i] == Verdict::kUndecided) {
-    return name + ", " + orderName(next) + " undecided: " + amount(report.residuals[i], next) +
-           " +- " + amount(report.uncertainties[i], next);
+    return (next == 0 ? "" : name + ", ") + orderName(next) +
+           " undecided: " + amount(report.residuals[i], next) + " +- " +
+           amount(report.uncertainties[i], next);
   }
   if (next == 0)
     return "gap of " + amount(report.residuals[0], 0) + " (tolerance " +
@@ -215,9 +235,9 @@ std::string reportTable(const JoinReport& report) {
                  name(report.frameKind).data());
   text += orderRows(report) + sideRows(report) + betaRow(report) + definitionRows(report);
   const std::string why = disagreement(report);
-  if (!why.empty()) text += "  " + why + "\n";
+  if (!why.empty()) text += paragraph(why);
   for (const Warning warning : report.warnings.list()) {
-    text += "  " + std::string(code(warning)) + ": " + std::string(sentence(warning)) + "\n";
+    text += paragraph(std::string(code(warning)) + ": " + std::string(sentence(warning)));
   }
   text.pop_back();  // whoever prints it ends the line
   return text;
