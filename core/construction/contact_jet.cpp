@@ -28,6 +28,10 @@ Source sourceOf(const BSplineCurve& curve, const Departure& departure) {
                                 " to " + std::to_string(curve.last()) + ", got " +
                                 std::to_string(t));
   }
+  if (t == (departure.forward ? curve.first() : curve.last())) {
+    throw std::invalid_argument(
+        "parameter: nothing of the curve is left to continue there; turn the direction");
+  }
   // the part of the curve that the new one takes the place of the continuation of
   const Side side = departure.forward ? Side::kLeft : Side::kRight;
   const BezierSegment segment = curve.segment(curve.spanAt(t, side));
@@ -42,6 +46,10 @@ Source sourceOf(const BSplineCurve& curve, const Departure& departure) {
 }  // namespace
 
 ContactJet contactJet(const BSplineCurve& curve, const Departure& departure, int order) {
+  if (order < 0 || order > kMaxOrder) {
+    throw std::invalid_argument("order: must be from 0 to " + std::to_string(kMaxOrder) + ", got " +
+                                std::to_string(order));
+  }
   const Source source = sourceOf(curve, departure);
   const BezierView view = source.curve.view();
   const auto jet = endJet<kMaxOrder>(view, source.end, source.poleError);

@@ -23,7 +23,9 @@ struct Departure {
 };
 
 /// Throws ContactError where the curve itself has no derivatives of that order (a singular end),
-/// with the order it has; std::invalid_argument for a parameter outside the curve.
+/// with the order it has; std::invalid_argument for an order outside
+/// 0..kMaxOrder and for a parameter outside the curve or at the end that leaves nothing to
+/// continue.
 ContactJet contactJet(const BSplineCurve& curve, const Departure& departure, int order);
 
 }  // namespace osculate

@@ -106,6 +106,10 @@ TEST(ContactJet, LeavesFromInsideInBothDirections) {
     EXPECT_LE((forward.r[k] - sign * backward.r[k]).norm(), 1e-12 * (1.0 + forward.r[k].norm()))
         << k;
   }
+  EXPECT_THROW(contactJet(curve, {}, kMaxOrder + 1), std::invalid_argument);
+  EXPECT_THROW(contactJet(curve, {}, -1), std::invalid_argument);
+  EXPECT_THROW(contactJet(curve, {.inside = true, .parameter = 0.0, .forward = true}, 2),
+               std::invalid_argument);
   EXPECT_THROW(contactJet(curve, {.inside = true, .parameter = 1.5}, 2), std::invalid_argument);
 }
 
