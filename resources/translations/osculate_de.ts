@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>The edge that arrives at the join</source>
+        <extracomment>Links into any App::Part. Not PropertyXLinkSub: FreeCAD 1.0 crashes where its creation is undone.</extracomment>
         <translation>Die Kante, die am Übergang ankommt</translation>
     </message>
     <message>
@@ -441,6 +442,10 @@
     <message>
         <source>misses {} by {}</source>
         <translation>verfehlt {} um {}</translation>
+    </message>
+    <message>
+        <source>A check must be in one document with its edges.</source>
+        <translation>Eine Prüfung muss mit ihren Kanten in einem Dokument sein.</translation>
     </message>
 </context>
 <context>

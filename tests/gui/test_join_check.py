@@ -63,6 +63,18 @@ class KeepTest(JoinCheckCase):
         self.click(form.actions.keep)
         self.assertEqual((self.doc.JoinCheck.Knot, self.doc.JoinCheck.Continuity), (1, "G4"))
 
+    def test_edges_of_two_documents_are_analysed_but_not_kept(self):
+        other = FreeCAD.newDocument("Other")
+        _, arc = samples.line_and_arc(other)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.doc.Name, "Line", "Edge1")
+        FreeCADGui.Selection.addSelection(other.Name, arc.Name, "Edge1")
+        form = self.run_command()
+        self.assertIn("<b>G1</b>", form.banner.text.text())
+        self.click(form.actions.keep)
+        self.assertIn("in one document", form.advice.text())
+        self.assertIsNone(self.doc.getObject("JoinCheck"))
+
     def test_one_label_where_panel_and_object_show_the_same(self):
         self.fit()
         self.analyze((self.line, "Edge1"), (self.arc, "Edge1"))
@@ -210,6 +222,15 @@ class EditTest(JoinCheckCase):
         self.select((first, "Edge1"), (second, "Edge1"))
         self.press(QtWidgets.QDialogButtonBox.StandardButton.Ok)
         self.assertEqual((self.check.Status, self.check.Continuity), ("OK", "G4"))
+
+    def test_deleting_an_edge_while_it_is_edited(self):
+        form = self.edit()
+        self.doc.removeObject(self.arc.Name)
+        self.pump()
+        self.assertIn("Arc no longer exists", form.trouble.text())
+        form.tolerances.order.setValue(3)
+        self.pump()
+        self.press(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
 
     def test_leaving_edit_mode_by_the_tree_closes_the_panel(self):
         self.edit()

@@ -31,7 +31,7 @@ class EdgeLink:
 
     @classmethod
     def of_property(cls, value):
-        """The link that a PropertyXLinkSub holds. Raises LinkError if it is empty or incomplete."""
+        """The link in a property of a document object. Raises LinkError if it names no edge."""
         if not value or value[0] is None:
             raise LinkError(translate("Osculate", "No edge is linked (its object was deleted?)."))
         obj, subs = value

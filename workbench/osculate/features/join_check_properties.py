@@ -12,10 +12,13 @@ QT_TRANSLATE_NOOP = Qt.QT_TRANSLATE_NOOP
 _SHOWN, _READ_ONLY, _HIDDEN = 0, 1, 2  # modes of setEditorMode
 _ORDER_RANGE = (4, 0, 8, 1)  # default, least, most, step
 
+#: Links into any App::Part. Not PropertyXLinkSub: FreeCAD 1.0 crashes where its creation is undone.
+_LINK = "App::PropertyLinkSubGlobal"
+
 _JOIN = (
-    ("First", "App::PropertyXLinkSub", QT_TRANSLATE_NOOP(
+    ("First", _LINK, QT_TRANSLATE_NOOP(
         "App::Property", "The edge that arrives at the join")),
-    ("Second", "App::PropertyXLinkSub", QT_TRANSLATE_NOOP(
+    ("Second", _LINK, QT_TRANSLATE_NOOP(
         "App::Property", "The edge that leaves the join")),
     ("Ends", "App::PropertyEnumeration", QT_TRANSLATE_NOOP(
         "App::Property", "Which end of the first and of the second edge meet")),

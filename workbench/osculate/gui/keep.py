@@ -3,14 +3,17 @@
 import FreeCAD
 
 from osculate.features import make_join_check
+from osculate.features.edge_link import LinkError
 from osculate.gui.qt import translate
 
 
 def keep_join(place, options):
     """Adds a JoinCheck for a JoinPlace in one step of undo, and returns it.
 
-    If anything fails the document is left as it was.
+    Raises LinkError if the edges are in different documents. If anything fails the document is left
+    as it was.
     """
+    require_one_document(place, place.first.document)
     document = FreeCAD.getDocument(place.first.document)
     document.openTransaction(translate("Osculate", "Keep join check"))
     try:
@@ -22,6 +25,12 @@ def keep_join(place, options):
         raise
     document.commitTransaction()
     return obj
+
+
+def require_one_document(place, name):
+    """Raises LinkError unless both edges are in the document, as links between objects must be."""
+    if {place.first.document, place.second.document} != {name}:
+        raise LinkError(translate("Osculate", "A check must be in one document with its edges."))
 
 
 def _target(link):

@@ -20,7 +20,7 @@ def selected_links():
     """
     links = {}
     # Resolve mode 0 keeps the path from the outermost App::Part, and with it all placements.
-    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+    for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
         for sub in selected.SubElementNames or ("",):
             links.update(dict.fromkeys(_links_of(selected.Object, _plain(sub))))
     return list(links)

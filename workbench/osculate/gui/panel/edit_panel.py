@@ -4,6 +4,7 @@ import FreeCADGui
 
 from osculate.features.edge_link import LinkError
 from osculate.features.join_check import configure, is_at, place_of, tolerance_values_in
+from osculate.gui.keep import require_one_document
 from osculate.gui.panel.join_panel import JoinPanel
 from osculate.gui.panel.session import Options
 from osculate.gui.qt import QtWidgets, button_bits, translate
@@ -38,8 +39,14 @@ class EditPanel(JoinPanel):
         obj = self._object
         if place is None or (is_at(obj, place) and options == self.default_options()):
             return
-        obj.First = place.first.resolve_object(), place.first.sub
-        obj.Second = place.second.resolve_object(), place.second.sub
+        try:
+            require_one_document(place, obj.Document.Name)
+            first = place.first.resolve_object(), place.first.sub
+            second = place.second.resolve_object(), place.second.sub
+        except LinkError as error:
+            self.form.advice.say(str(error), "error")
+            return
+        obj.First, obj.Second = first, second
         configure(obj, order=options.order, ends=place.ends, preset=options.preset,
                   values=options.values, knot=place.knot)
         obj.Document.recompute([obj])

@@ -121,7 +121,11 @@ class JoinPanel:
 
     def keep(self):
         """Adds the current join to its document as a JoinCheck, in one step of undo."""
-        obj = keep_join(self.session.place, self.session.options)
+        try:
+            obj = keep_join(self.session.place, self.session.options)
+        except LinkError as error:
+            self.form.advice.say(str(error), "error")
+            return
         self._kept.append(obj.Name)
         self._show()
         self.form.advice.say(translate("Osculate", "{} was added to the document.")
