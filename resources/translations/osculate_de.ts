@@ -214,6 +214,7 @@
     </message>
     <message>
         <source>Definition</source>
+        <extracomment>set where one given place is analysed instead of links</extracomment>
         <translation>Definition</translation>
     </message>
     <message>
@@ -244,10 +245,6 @@
     <message>
         <source>Edit {}</source>
         <translation>{} bearbeiten</translation>
-    </message>
-    <message>
-        <source>Tick &quot;Follow the selection&quot; and select two edges.</source>
-        <translation>„Der Auswahl folgen“ ankreuzen und zwei Kanten auswählen.</translation>
     </message>
     <message>
         <source>{} has no inner joins. Hold Ctrl and select the edge that it meets.</source>
@@ -329,7 +326,6 @@
     </message>
     <message>
         <source>legs on tangent</source>
-        <extracomment>set where one given place is analysed instead of links</extracomment>
         <translation>Schenkel auf der Tangente</translation>
     </message>
     <message>
@@ -446,6 +442,10 @@
     <message>
         <source>A check must be in one document with its edges.</source>
         <translation>Eine Prüfung muss mit ihren Kanten in einem Dokument sein.</translation>
+    </message>
+    <message>
+        <source>Select two edges.</source>
+        <translation>Zwei Kanten auswählen.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 """The page in FreeCAD's preferences."""
 
+import samples
 from gui_case import GuiCase
 from osculate.gui import preferences
 from osculate.gui.preferences_page import PreferencesPage
@@ -24,10 +25,21 @@ class PreferencesTest(GuiCase):
         self.assertEqual(form.tolerances.preset.currentText(), "rhino")
         self.assertEqual(form.tolerances.order.value(), 2)
 
-    def test_page_is_registered(self):
-        self.assertEqual(preferences.load(), preferences.Preferences())
+    def test_panel_that_does_not_follow_takes_what_is_selected_first(self):
+        preferences.save(preferences.Preferences(follow_selection=False))
+        line, arc = samples.line_and_arc(self.doc)
+        first, second = samples.cut_curve(self.doc)
+        form = self.run_command()
+        self.select((line, "Edge1"), (arc, "Edge1"))
+        self.assertIn("<b>G1</b>", form.banner.text.text())
+        self.select((first, "Edge1"), (second, "Edge1"))
+        self.assertIn("<b>G1</b>", form.banner.text.text())
+        self.assertFalse(preferences.load().follow_selection)
+
+    def test_page_starts_with_the_defaults(self):
         page = PreferencesPage()
         page.loadSettings()
         self.assertEqual(page.form.preset.currentText(), "osculate")
         self.assertGreater(page.form.preset.count(), 5)
-        self.assertEqual(page.form.windowTitle(), "Joins")
+        page.saveSettings()
+        self.assertEqual(preferences.load(), preferences.Preferences())

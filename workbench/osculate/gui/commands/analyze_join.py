@@ -25,5 +25,4 @@ class AnalyzeJoin(Command):
         panel = JoinPanel()
         FreeCADGui.Control.showDialog(panel)
         widen_dock(panel.form)
-        panel.form.follow.setChecked(True)
         panel.take_selection()

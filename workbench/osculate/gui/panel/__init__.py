@@ -1,1 +1,1 @@
-"""The task panel of Analyze join: a session that analyses, and small widgets that show it."""
+"""The task panel of Analyze join: the analysis, and small widgets that show it."""

@@ -6,7 +6,7 @@ from osculate.features.edge_link import LinkError
 from osculate.features.join_check import configure, is_at, place_of, tolerance_values_in
 from osculate.gui.keep import require_one_document
 from osculate.gui.panel.join_panel import JoinPanel
-from osculate.gui.panel.session import Options
+from osculate.gui.panel.analysis import Options
 from osculate.gui.qt import QtWidgets, button_bits, translate
 
 
@@ -21,7 +21,7 @@ class EditPanel(JoinPanel):
         self.form.follow.setChecked(False)
         obj.Document.openTransaction(translate("Osculate", "Edit {}").format(obj.Label))
         self._take_object()
-        self.session.changed.connect(self._write_object)
+        self.analysis.changed.connect(self._write_object)
 
     def default_options(self):
         obj = self._object
@@ -29,13 +29,12 @@ class EditPanel(JoinPanel):
 
     def _take_object(self):
         try:
-            self.session.analyze_place(place_of(self._object))
+            self.analysis.take_place(place_of(self._object))
         except LinkError as error:
-            self.form.advice.say(f"{error} " + translate(
-                "Osculate", "Tick \"Follow the selection\" and select two edges."), "error")
+            self.form.advice.say(f"{error} " + translate("Osculate", "Select two edges."), "error")
 
     def _write_object(self):
-        place, options = self.session.place, self.session.options
+        place, options = self.analysis.place, self.analysis.options
         obj = self._object
         if place is None or (is_at(obj, place) and options == self.default_options()):
             return
@@ -51,8 +50,9 @@ class EditPanel(JoinPanel):
                   values=options.values, knot=place.knot)
         obj.Document.recompute([obj])
 
-    def _follow_toggled(self, _follows):
-        self.take_selection()
+    def _follow_toggled(self, follows):
+        if follows:
+            self.take_selection()
 
     def getStandardButtons(self):
         buttons = QtWidgets.QDialogButtonBox.StandardButton

@@ -1,4 +1,4 @@
-"""The task panel of Analyze join: widgets around a session, an overlay and observers."""
+"""The task panel of Analyze join: widgets around an analysis, an overlay and observers."""
 
 import FreeCAD
 import FreeCADGui
@@ -11,7 +11,7 @@ from osculate.gui.observers import ModelObserver, SelectionObserver
 from osculate.gui.overlays.join_overlay import join_overlay
 from osculate.gui.overlays.scene import SceneOverlay
 from osculate.gui.panel.panel_form import PanelForm
-from osculate.gui.panel.session import JoinSession, Options
+from osculate.gui.panel.analysis import JoinAnalysis, Options
 from osculate.gui.qt import QtWidgets, button_bits, translate
 from osculate.gui.selection import selected_links, what_to_select
 
@@ -25,13 +25,13 @@ class JoinPanel:
 
     def __init__(self):
         self.preferences = preferences.load()
-        self.session = JoinSession(self.default_options())
-        self.form = PanelForm(self.session.options, self.preferences, self.can_keep)
+        self.analysis = JoinAnalysis(self.default_options())
+        self.form = PanelForm(self.analysis.options, self.preferences, self.can_keep)
         self.overlay = SceneOverlay()
         self._kept = []  # names of the checks that were added from here
-        self._observers = [ModelObserver(self.session.refresh, self._document_closed),
-                           SelectionObserver(self.take_selection)]
-        self.session.changed.connect(self._show)
+        self._observers = [ModelObserver(self.analysis.refresh, self._document_closed),
+                           SelectionObserver(self._selection_changed)]
+        self.analysis.changed.connect(self._show)
         self.form.destroyed.connect(self.close)  # FreeCAD may close a dialog without asking
         self._connect_form()
 
@@ -39,21 +39,23 @@ class JoinPanel:
         return Options(self.preferences.order, self.preferences.preset)
 
     def _connect_form(self):
-        form, session = self.form, self.session
-        form.edges.ends_chosen.connect(session.set_ends)
-        form.edges.swapped.connect(session.swap)
-        form.joins.chosen.connect(session.select)
+        form, analysis = self.form, self.analysis
+        form.edges.ends_chosen.connect(analysis.set_ends)
+        form.edges.swapped.connect(analysis.swap)
+        form.joins.chosen.connect(analysis.select)
         form.joins.activated.connect(self._zoom)
-        form.tolerances.changed.connect(session.set_options)
+        form.tolerances.changed.connect(analysis.set_options)
         form.actions.copy_requested.connect(self.copy)
         form.actions.save_requested.connect(self.save)
         form.actions.keep_requested.connect(self.keep)
         form.follow.toggled.connect(self._follow_toggled)
 
+    def _selection_changed(self):
+        if self.form.follow.isChecked() or self.analysis.place is None:
+            self.take_selection()
+
     def take_selection(self):
         """Analyses what is selected; says what to select where that does not serve."""
-        if not self.form.follow.isChecked():
-            return
         try:
             links = selected_links()
         except LinkError as error:
@@ -62,19 +64,19 @@ class JoinPanel:
         if links:
             self._take_links(links)
         else:
-            self.form.advice.say("" if self.session.place else what_to_select())
+            self.form.advice.say("" if self.analysis.place else what_to_select())
 
     def _take_links(self, links):
         self.form.advice.say("")
-        self.session.analyze_links(links)
-        if len(links) == 1 and not self.session.joins and not self.session.error:
+        self.analysis.take_links(links)
+        if len(links) == 1 and not self.analysis.joins and not self.analysis.error:
             self.form.advice.say(translate("Osculate", "{} has no inner joins. Hold Ctrl and "
                                                        "select the edge that it meets.")
                                  .format(links[0].label()))
 
     def _show(self):
-        self.form.show_session(self.session)
-        report, place = self.session.report, self.session.place
+        self.form.show_analysis(self.analysis)
+        report, place = self.analysis.report, self.analysis.place
         if report is None:
             self.overlay.clear()
         else:
@@ -88,17 +90,18 @@ class JoinPanel:
         return any(is_at(check, place) and check.Visibility for check in checks)
 
     def _zoom(self, place):
-        self.session.select(place)
-        zoom.zoom_to(self.session.report)
+        self.analysis.select(place)
+        zoom.zoom_to(self.analysis.report)
 
     def _follow_toggled(self, follows):
         preferences.parameters().SetBool("FollowSelection", follows)
-        self.take_selection()
+        if follows:
+            self.take_selection()
 
     def copy(self, kind):
         """Puts the current report as "text", or all as "json" or "csv", on the clipboard."""
-        text = (str(self.session.report) if kind == "text"
-                else report_export.text_of(self.session.joins, kind))
+        text = (str(self.analysis.report) if kind == "text"
+                else report_export.text_of(self.analysis.joins, kind))
         QtWidgets.QApplication.clipboard().setText(text)
 
     def save(self):
@@ -107,7 +110,7 @@ class JoinPanel:
         if not path:
             return
         try:
-            report_export.save(self.session.joins, path)
+            report_export.save(self.analysis.joins, path)
         except (OSError, ValueError) as error:
             self.form.advice.say(str(error), "error")
         else:
@@ -122,7 +125,7 @@ class JoinPanel:
     def keep(self):
         """Adds the current join to its document as a JoinCheck, in one step of undo."""
         try:
-            obj = keep_join(self.session.place, self.session.options)
+            obj = keep_join(self.analysis.place, self.analysis.options)
         except LinkError as error:
             self.form.advice.say(str(error), "error")
             return
@@ -132,7 +135,7 @@ class JoinPanel:
                              .format(obj.Label))
 
     def _document_closed(self, name):
-        place = self.session.place
+        place = self.analysis.place
         if place is not None and name in (place.first.document, place.second.document):
             self.overlay.forget()
             self.reject()

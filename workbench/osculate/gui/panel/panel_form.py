@@ -15,7 +15,7 @@ from osculate.gui.qt import QtWidgets, translate
 
 
 class PanelForm(QtWidgets.QWidget):
-    """Shows a JoinSession; knows nothing of documents and views."""
+    """Shows a JoinAnalysis; knows nothing of documents and views."""
 
     def __init__(self, options, preferences, with_keep):
         super().__init__()
@@ -57,16 +57,16 @@ class PanelForm(QtWidgets.QWidget):
             layout.addWidget(widget)
         layout.addStretch(1)
 
-    def show_session(self, session):
-        """Shows the current join of a session, or its error."""
-        place, report = session.place, session.report
-        has_list = len(session.joins) > 1
+    def show_analysis(self, analysis):
+        """Shows the current join of an analysis, or its error."""
+        place, report = analysis.place, analysis.report
+        has_list = len(analysis.joins) > 1
         self._show_parts(place is not None, report is not None, has_list)
-        self.trouble.say(session.error, "error")
+        self.trouble.say(analysis.error, "error")
         if has_list:
-            self.joins.show_joins(session.joins, place)
+            self.joins.show_joins(analysis.joins, place)
         if place is not None:
-            self.edges.show_join(place, report, session.is_one_join)
+            self.edges.show_join(place, report, analysis.is_one_join)
         if report is not None:
             self._show_report(report)
 

@@ -4,7 +4,7 @@ from dataclasses import astuple
 
 from osculate import Tolerances
 from osculate.features.tolerance_choice import CUSTOM, PRESETS, ToleranceValues, values_of
-from osculate.gui.panel.session import Options
+from osculate.gui.panel.analysis import Options
 from osculate.gui.panel.tolerance_spin_box import ToleranceSpinBox
 from osculate.gui.qt import QtWidgets, Signal, translate
 

@@ -22,10 +22,10 @@ class Options:
         return tolerances_of(self.preset, self.values)
 
 
-class JoinSession(QtCore.QObject):
+class JoinAnalysis(QtCore.QObject):
     """The joins of the chosen edges and their reports, worst first; one of them is current.
 
-    `changed` follows every analysis. Errors never leave the session: they stand in `error`.
+    `changed` follows every analysis. Errors never leave it: they stand in `error`.
     """
 
     changed = Signal()
@@ -54,15 +54,15 @@ class JoinSession(QtCore.QObject):
         """Whether ends can be chosen: one join between two edges."""
         return self._place is not None and not self._place.knot
 
-    def analyze_links(self, links):
+    def take_links(self, links):
         """Takes other edges."""
         if len(links) == 2:
-            self.analyze_place(JoinPlace(*links))
+            self.take_place(JoinPlace(*links))
         else:
             self._links, self._place, self._current = list(links), None, None
             self.refresh()
 
-    def analyze_place(self, place):
+    def take_place(self, place):
         """Takes one given join."""
         self._links, self._place, self._current = [], place, place
         self.refresh()
@@ -73,13 +73,13 @@ class JoinSession(QtCore.QObject):
 
     def set_ends(self, ends):
         """Takes other ends of the one join; None the nearest."""
-        self.analyze_place(replace(self._place, ends=ends))
+        self.take_place(replace(self._place, ends=ends))
 
     def swap(self):
         """Travels the one join the other way: the second edge arrives, the first leaves."""
         place = self._place
         ends = place.ends and place.ends[::-1]
-        self.analyze_place(replace(place, first=place.second, second=place.first, ends=ends))
+        self.take_place(replace(place, first=place.second, second=place.first, ends=ends))
 
     def select(self, place):
         """Makes another join of the list the current one."""
