@@ -1,30 +1,35 @@
 // A constructed curve with the proof of what it meets.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "osculate/construction/blend.h"
+#include "osculate/construction/contact_jet.h"
 #include "osculate/continuity/curve_joins.h"
 
 namespace osculate {
 
 struct Construction {
   BSplineCurve curve;
-  std::vector<CurveJoin> joins;             ///< of the finished poles, under the preset `exact`
-  std::array<std::vector<double>, 2> beta;  ///< the free numbers at each end
-  std::optional<double> objective;          ///< what was minimised
-  std::vector<std::string> warnings;        ///< sentences
+  std::vector<CurveJoin> joins{};             ///< of the finished poles, under the preset `exact`
+  std::array<std::vector<double>, 2> beta{};  ///< the free numbers at each end that has some
+  std::optional<double> objective{};          ///< what was minimised
+  std::optional<double> maxDisplacementMm{};  ///< where a curve was changed: how far at most
+  std::vector<std::string> warnings{};        ///< sentences
 };
 
-/// Where a blend between two curves leaves each: their nearest ends.
-std::array<Departure, 2> nearestDepartures(const BSplineCurve& first, const BSplineCurve& second);
+/// Adds the join of two curves, analysed under the preset `exact`, to a construction, and where it
+/// misses the order asked for a warning that names the place, e.g. "first end".
+void addVerifiedJoin(const BSplineCurve& first, const BSplineCurve& second, JoinEnds ends,
+                     int order, const std::string& place, Construction& construction);
 
-/// A blend from the first curve to the second, over t in [0, 1]. Where rounding keeps a join from
-/// the order asked for, a warning says so. Throws as contactJet and blend do.
-Construction blendCurves(const BSplineCurve& first, const BSplineCurve& second,
-                         const std::array<Departure, 2>& departures,
-                         const BlendOptions& options = {});
+/// The part of a curve that stays where another one leaves it, and the end of it that they share.
+struct KeptPart {
+  BSplineCurve curve;
+  CurveEnd end;
+};
+KeptPart keptPart(const BSplineCurve& curve, const Departure& departure);
 
 }  // namespace osculate

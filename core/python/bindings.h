@@ -15,6 +15,7 @@ void bindReport(py::module_& m);
 void bindContinuity(py::module_& m);
 void bindBatch(py::module_& m);
 void bindConstruction(py::module_& m);
+void bindBlend(py::module_& m);
 void bindOcct(py::module_& m);
 
 }  // namespace osculate::python

@@ -27,6 +27,7 @@ PYBIND11_MODULE(_core, m) {
   python::bindContinuity(m);
   python::bindBatch(m);
   python::bindConstruction(m);
+  python::bindBlend(m);
   python::bindOcct(m);
   showAsPublic(m);
 }

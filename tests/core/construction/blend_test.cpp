@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "construction/blend_cases.h"
-#include "osculate/construction/construction.h"
+#include "osculate/construction/blend_curves.h"
 #include "osculate/construction/contact_error.h"
 #include "osculate/differential/arc_jet.h"
 
