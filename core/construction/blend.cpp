@@ -141,6 +141,22 @@ std::vector<double> solve(const ContactJet& from, const ContactJet& to, const Bl
   return minimize(problem, problem.startFrom(leastProblem, unknowns)).unknowns;
 }
 
+/// The optimum by the fine quadrature of `problem`, found by the coarse one where that sees enough.
+Minimum fairest(const ContactJet& from, const ContactJet& to, const BlendOptions& options,
+                const BlendProblem& problem, int degree) {
+  const BlendProblem coarse(from, to, options, degree, Quadrature::kCoarse);
+  const auto withObjective = [&](std::vector<double> unknowns) {
+    const double objective = problem.objective(unknowns, nullptr);
+    return Minimum{std::move(unknowns), objective};
+  };
+  const Minimum found = withObjective(solve(from, to, options, degree, Quadrature::kCoarse));
+  if (found.objective - coarse.objective(found.unknowns, nullptr) < kQuadratureTolerance)
+    return polish(problem, coarse, found);
+  // a stop or a sharp turn between the nodes: only more of them see it
+  return polish(problem, problem,
+                withObjective(solve(from, to, options, degree, Quadrature::kFine)));
+}
+
 void addWarnings(const BlendOptions& options, Blend& result) {
   constexpr double kCramped = 0.1;
   for (std::size_t end = 0; end < 2; ++end) {
@@ -161,23 +177,17 @@ Blend blend(const ContactJet& from, const ContactJet& to, const BlendOptions& op
   const int degree = options.degree == 0 ? least : options.degree;
 
   const BlendProblem problem(from, to, options, degree, Quadrature::kFine);
-  std::vector<double> unknowns;
-  std::optional<double> objective;
+  Minimum found;
   if (options.fairness) {
-    unknowns = solve(from, to, options, degree, Quadrature::kCoarse);
-    objective = problem.objective(unknowns, nullptr);
-    const BlendProblem coarse(from, to, options, degree, Quadrature::kCoarse);
-    // a stop or a sharp turn between the nodes: only more of them see it
-    if (!(*objective - coarse.objective(unknowns, nullptr) < kQuadratureTolerance)) {
-      unknowns = solve(from, to, options, degree, Quadrature::kFine);
-      objective = problem.objective(unknowns, nullptr);
-    }
+    found = fairest(from, to, options, problem, degree);
   } else {
     const BlendProblem leastProblem(from, to, options, least, Quadrature::kCoarse);
-    unknowns = problem.startFrom(leastProblem, leastProblem.start(1.0, 1.0));
+    found.unknowns = problem.startFrom(leastProblem, leastProblem.start(1.0, 1.0));
   }
-  Blend result{bezierFromPoles(problem.poles(unknowns).data(), degree),
-               problem.beta(unknowns),
+  const std::optional<double> objective =
+      options.fairness ? std::optional(found.objective) : std::nullopt;
+  Blend result{bezierFromPoles(problem.poles(found.unknowns).data(), degree),
+               problem.beta(found.unknowns),
                problem.chord(),
                objective,
                {}};

@@ -26,7 +26,7 @@ double evaluate(unsigned count, const double* x, double* gradient, void* data) {
 }  // namespace
 
 Minimum minimize(const BlendProblem& problem, const std::vector<double>& start) {
-  constexpr double kTolerance = 1e-6;  // of the objective, a logarithm
+  constexpr double kTolerance = 1e-4;  // of the objective, a logarithm
   constexpr int kMostEvaluations = 400;
   Search search{problem, {start, problem.objective(start, nullptr)}};
   if (problem.size() == 0) return search.best;

@@ -15,4 +15,10 @@ struct Minimum {
 /// stops.
 Minimum minimize(const BlendProblem& problem, const std::vector<double>& start);
 
+/// The same minimum to rounding, so that the curve follows a task that moves a little by a little:
+/// Newton's method with the Hessian from differences of the gradient of `model`, which may be the
+/// same problem by a coarser quadrature: the minimum stays that of `problem`. Never worse than the
+/// start.
+Minimum polish(const BlendProblem& problem, const BlendProblem& model, const Minimum& start);
+
 }  // namespace osculate

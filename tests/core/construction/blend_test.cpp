@@ -135,26 +135,41 @@ TEST(Blend, CompletesACircleToWithinItsDegree) {
     EXPECT_NEAR(result.curve.evaluate(i / 32.0).norm(), 10.0, 5e-5);
 }
 
-TEST(Blend, DoesNotChangeUnderScalingRigidMotionAndElevationOfTheInputs) {
-  const BlendCase task = blendCases()[23];
-  const Blend own = blendOf(task.first, task.second, ofOrders(3, 3));
-  Eigen::Affine3d motion = Eigen::Translation3d(3, -5, 7) *
-                           Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()) *
-                           Eigen::Scaling(12.0);
-  const Blend moved =
-      blendOf(task.first.transformed(motion), task.second.transformed(motion), ofOrders(3, 3));
-  EXPECT_LE(distance(moved.curve, own.curve.transformed(motion)), 1e-2 * moved.chordMm);
-  EXPECT_NEAR(*moved.objective, *own.objective, 1e-4);
-  const Blend elevated = blendOf(task.first.elevated(2), task.second.elevated(1), ofOrders(3, 3));
-  EXPECT_LE(distance(elevated.curve, own.curve), 1e-2 * own.chordMm);
-  EXPECT_NEAR(*elevated.objective, *own.objective, 1e-4);
+// The optimum is found to rounding, so the curve itself can be compared, in chords.
+constexpr double kSameCurve = 1e-5;
+
+TEST(Blend, DoesNotChangeUnderScalingAndRigidMotion) {
+  const Eigen::Affine3d motion = Eigen::Translation3d(3, -5, 7) *
+                                 Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()) *
+                                 Eigen::Scaling(12.0);
+  for (const BlendCase& task : blendCases()) {
+    for (const int order : {2, 3, 4}) {
+      const Blend own = blendOf(task.first, task.second, ofOrders(order, order));
+      const Blend moved = blendOf(task.first.transformed(motion), task.second.transformed(motion),
+                                  ofOrders(order, order));
+      EXPECT_LE(distance(moved.curve, own.curve.transformed(motion)), kSameCurve * moved.chordMm)
+          << task.name << ", G" << order;
+    }
+  }
+}
+
+TEST(Blend, DoesNotChangeWithTheDegreeOfItsCurves) {
+  for (const BlendCase& task : blendCases()) {
+    const Blend own = blendOf(task.first, task.second, ofOrders(3, 3));
+    const Blend elevated = blendOf(task.first.elevated(2), task.second.elevated(1), ofOrders(3, 3));
+    EXPECT_LE(distance(elevated.curve, own.curve), kSameCurve * own.chordMm) << task.name;
+  }
 }
 
 TEST(Blend, ReversalOfTheTaskReversesTheCurve) {
   for (const BlendCase& task : blendCases()) {
-    const Blend own = blendOf(task.first, task.second, ofOrders(2, 2));
-    const Blend back = blendOf(task.second.reversed(), task.first.reversed(), ofOrders(2, 2));
-    EXPECT_NEAR(*back.objective, *own.objective, 0.02) << task.name;
+    for (const int order : {2, 3, 4}) {
+      const Blend own = blendOf(task.first, task.second, ofOrders(order, order));
+      const Blend back =
+          blendOf(task.second.reversed(), task.first.reversed(), ofOrders(order, order));
+      EXPECT_LE(distance(back.curve.reversed(), own.curve), kSameCurve * own.chordMm)
+          << task.name << ", G" << order;
+    }
   }
 }
 
@@ -208,13 +223,20 @@ TEST(Blend, MoreDegreesAreNeverWorse) {
 }
 
 TEST(Blend, MovesLittleWhenTheTaskMovesLittle) {
-  const BlendCase task = blendCases()[1];
-  const Blend own = blendOf(task.first, task.second, ofOrders(3, 3));
-  for (int step = 1; step <= 20; ++step) {
-    const double shift = 1e-3 * step;
-    const Eigen::Affine3d motion(Eigen::Translation3d(shift, -shift, 0.5 * shift));
-    const Blend moved = blendOf(task.first, task.second.transformed(motion), ofOrders(3, 3));
-    EXPECT_LE(distance(moved.curve, own.curve), 0.02 * own.chordMm) << shift;
+  constexpr double kShift = 1e-6;    // in chords, as far as a hand can hold still
+  constexpr double kLargest = 50.0;  // times the shift; 1.6 where no optimum is shallow
+  for (const BlendCase& task : blendCases()) {
+    for (const int order : {2, 3, 4}) {
+      const Blend own = blendOf(task.first, task.second, ofOrders(order, order));
+      for (int step = 1; step <= 3; ++step) {
+        const double shift = step * kShift * own.chordMm;
+        const Eigen::Affine3d motion(Eigen::Translation3d(shift, -shift, 0.5 * shift));
+        const Blend moved =
+            blendOf(task.first, task.second.transformed(motion), ofOrders(order, order));
+        EXPECT_LE(distance(moved.curve, own.curve), kLargest * shift)
+            << task.name << ", G" << order << ", step " << step;
+      }
+    }
   }
 }
 

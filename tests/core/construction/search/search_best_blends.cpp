@@ -47,8 +47,8 @@ double searchBest(const test::BlendCase& task, int order, int starts) {
   std::mt19937 generator(20261123);
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < starts; ++i) {
-    Minimum minimum = minimize(problem, randomStart(problem, order, generator));
-    minimum = minimize(problem, minimum.unknowns);
+    const Minimum minimum =
+        polish(problem, problem, minimize(problem, randomStart(problem, order, generator)));
     if (minimum.objective < best && isResolved(problem, minimum)) best = minimum.objective;
   }
   return best;
