@@ -21,7 +21,9 @@ struct BlendOptions {
   int degree = 0;                  ///< 0: the least, order[0] + order[1] + 1
   /// Given numbers; the others are chosen.
   std::array<std::array<std::optional<double>, kMaxOrder>, 2> beta{};
-  bool symmetric = false;  ///< chosen numbers are equal at both ends (up to the lower order)
+  /// Up to the lower order, numbers not given at either end are equal at both, and one given at one
+  /// end holds at the other too.
+  bool symmetric = false;
   /// What chooses; nothing: beta_1 = 1, the others 0, and further poles by raising the degree.
   std::optional<Fairness> fairness = Fairness::kMinimumVariation;
 };

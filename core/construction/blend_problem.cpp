@@ -18,6 +18,13 @@ constexpr double kLargestSpeed = 30.0;
 constexpr double kLongestLeg = 200.0;
 constexpr double kFarthestPole = 100.0;
 
+/// beta_k at this end where it is given there or, at symmetric ends, at the other one.
+std::optional<double> givenNumber(const BlendOptions& options, int end, int k) {
+  const auto& own = options.beta[index(end)][index(k - 1)];
+  const bool isShared = options.symmetric && k <= options.order[index(1 - end)];
+  return own || !isShared ? own : options.beta[index(1 - end)][index(k - 1)];
+}
+
 /// d leg_k / d sigma_l.
 double legFactor(int k, int l, int degree) { return binomial(k - 1, l - 1) / binomial(degree, l); }
 
@@ -49,7 +56,7 @@ void BlendProblem::addNumbers(const BlendOptions& options) {
     unknowns.fill(-1);
     for (int k = 1; k <= options.order[index(end)]; ++k) {
       const std::size_t i = index(k - 1);
-      const std::optional<double>& number = options.beta[index(end)][i];
+      const std::optional<double> number = givenNumber(options, end, k);
       const bool tied = end == 1 && options.symmetric && numbers_[0][i] >= 0;
       if (number) {
         given_[index(end)][i] = *number * chord_ / detail::kFactorials[index(k)];

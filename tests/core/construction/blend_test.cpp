@@ -209,6 +209,20 @@ TEST(Blend, SymmetricNumbersAreEqual) {
     EXPECT_NEAR(result.beta[0][k], result.beta[1][k], 1e-9) << k;
 }
 
+TEST(Blend, SymmetricNumbersGivenAtOneEndHoldAtTheOther) {
+  BlendOptions options = ofOrders(3, 2);
+  options.symmetric = true;
+  options.beta[0] = {1.2, std::nullopt, -0.5};
+  options.beta[1] = {std::nullopt, 0.3};
+  const BlendCase task = blendCases()[3];
+  const Blend result = blendOf(task.first, task.second, options);
+  for (std::size_t end = 0; end < 2; ++end) {
+    EXPECT_NEAR(result.beta[end][0], 1.2, 1e-12);
+    EXPECT_NEAR(result.beta[end][1], 0.3, 1e-11);
+  }
+  EXPECT_NEAR(result.beta[0][2], -0.5, 1e-10) << "above the other end's order";
+}
+
 TEST(Blend, MoreDegreesAreNeverWorse) {
   for (const BlendCase& task : blendCases()) {
     const double least = *blendOf(task.first, task.second, ofOrders(2, 2)).objective;
