@@ -80,8 +80,17 @@ def curves(*marks):
     return (stroke(ARRIVING, FIRST, 4.6), stroke(LEAVING, SECOND, 4.6), *marks)
 
 
+NODE = ("#ffffff", "#3a4653", 2.4)
+
+
 def node():
     return dot(24, 24, 5, "#ffffff", "#3a4653", 2.6)
+
+
+def construction(*marks):
+    """Two given curves, and what is made between them."""
+    return (stroke("M3 36 C7 39 12 40 17 40", FIRST, 4.6),
+            stroke("M31 8 C36 8 41 9 45 12", SECOND, 4.6), *marks)
 
 
 def command_icons():
@@ -95,6 +104,8 @@ def command_icons():
         "osculate": workbench,
         "preferences-osculate": workbench,  # by this name FreeCAD finds that of the preferences
         "analyze-join": curves(node(), *lens),
+        "blend": construction(stroke("M17 40 C33 40 15 8 31 8", GOOD, 4.6), dot(17, 40, 4, *NODE),
+                              dot(31, 8, 4, *NODE)),
         "keep": pin,
     }
 
@@ -108,6 +119,17 @@ def button_icons():
                     dot(24, 24, 3.2, NEUTRAL)),
         "follow": ('<path d="M13 5 L13 38 L21 30.5 L26.5 43 L32 40.5 L26.5 28.5 L37.5 27.5 Z"'
                    ' fill="#4a90d9" stroke="#ffffff" stroke-width="2" stroke-linejoin="round"/>',),
+        "back": (stroke("M8 18 H30 C42 18 42 38 30 38 H20", "#4a90d9", 4.6),
+                 stroke("M17 8 L7 18 L17 28", "#4a90d9", 4.6)),
+        "forward": (stroke("M40 18 H18 C6 18 6 38 18 38 H28", "#4a90d9", 4.6),
+                    stroke("M31 8 L41 18 L31 28", "#4a90d9", 4.6)),
+        "fair": (stroke("M4 40 C12 40 13 12 24 12 C35 12 36 40 44 40", GOOD, 4.6),
+                 *(stroke(f"M{x} {y} V{y - 6}", NEUTRAL, 2.6)
+                   for x, y in ((10, 30), (16, 16), (24, 8), (32, 16), (38, 30)))),
+        "free": (stroke("M15 24 V14 A8 8 0 0 1 30 10.5", NEUTRAL, 4.2),
+                 stroke("M10 24 H38 V42 H10 Z", NEUTRAL, 4.2)),
+        "locked": (stroke("M15 24 V15 A9 9 0 0 1 33 15 V24", NEUTRAL, 4.2),
+                   '<rect x="9" y="23" width="30" height="20" rx="3" fill="#e8860c"/>'),
         "copy": (stroke("M31 12 V6 H9 V35 H15", NEUTRAL, 3.6), stroke(sheet, "#4a90d9", 3.6),
                  stroke("M23 24 H32 M23 31 H32", "#4a90d9", 3.2)),
         "save": (stroke("M24 6 V30 L14 20 M24 30 L34 20", "#4a90d9", 4.6),

@@ -24,6 +24,8 @@ _VIEW = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
 class GuiCase(unittest.TestCase):
     """A fresh document and default preferences for each test; no error may be left unseen."""
 
+    form_type = PanelForm  #: the class of the form that `form` finds
+
     def setUp(self):
         preferences.parameters().Clear()
         self.uncaught = []
@@ -74,7 +76,7 @@ class GuiCase(unittest.TestCase):
     def form(self):
         """The panel's form, or None."""
         dialogs = [widget for widget in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget)
-                   if isinstance(widget, PanelForm)]
+                   if isinstance(widget, self.form_type)]
         return dialogs[0] if dialogs else None
 
     def select(self, *targets):

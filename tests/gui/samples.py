@@ -65,3 +65,12 @@ def profile(doc):
     sketch.addGeometry(Part.LineSegment(V(200, 60.02, 0), V(230, 100, 0)))
     doc.recompute()
     return sketch
+
+
+def blend_ends(doc):
+    """Two cubics in space, 60 mm apart, that a blend can connect."""
+    objects = (add_edge(doc, "Left", bezier((0, 0, 0), (20, 0, 0), (40, 10, 0), (50, 20, 0))),
+               add_edge(doc, "Right", bezier((100, 30, 0), (120, 30, 20), (140, 10, 20),
+                                             (150, 0, 10))))
+    doc.recompute()
+    return objects

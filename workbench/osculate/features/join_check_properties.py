@@ -4,21 +4,19 @@ import math
 
 from FreeCAD import Qt
 
+from osculate.features import properties
 from osculate.features.joins import ENDS
+from osculate.features.properties import HIDDEN, LINK, READ_ONLY, SHOWN
 from osculate.features.tolerance_choice import CUSTOM, PRESETS
 
 QT_TRANSLATE_NOOP = Qt.QT_TRANSLATE_NOOP
 
-_SHOWN, _READ_ONLY, _HIDDEN = 0, 1, 2  # modes of setEditorMode
-_ORDER_RANGE = (4, 0, 8, 1)  # default, least, most, step
-
-#: Links into any App::Part. Not PropertyXLinkSub: FreeCAD 1.0 crashes where its creation is undone.
-_LINK = "App::PropertyLinkSubGlobal"
+_STARTS = {"Ends": list(ENDS), "Preset": [*PRESETS, CUSTOM], "OrderAsked": (4, 0, 8, 1)}
 
 _JOIN = (
-    ("First", _LINK, QT_TRANSLATE_NOOP(
+    ("First", LINK, QT_TRANSLATE_NOOP(
         "App::Property", "The edge that arrives at the join")),
-    ("Second", _LINK, QT_TRANSLATE_NOOP(
+    ("Second", LINK, QT_TRANSLATE_NOOP(
         "App::Property", "The edge that leaves the join")),
     ("Ends", "App::PropertyEnumeration", QT_TRANSLATE_NOOP(
         "App::Property", "Which end of the first and of the second edge meet")),
@@ -93,20 +91,7 @@ _NEVER_SHOWN = ("SchemaVersion", "Report")
 
 def add_properties(obj):
     """Adds what the object does not have yet."""
-    for group, properties in _GROUPS:
-        for name, kind, meaning in properties:
-            if not hasattr(obj, name):
-                obj.addProperty(kind, name, group, meaning)
-                _set_choices(obj, name)
-
-
-def _set_choices(obj, name):
-    if name == "Ends":
-        obj.Ends = list(ENDS)
-    elif name == "Preset":
-        obj.Preset = [*PRESETS, CUSTOM]
-    elif name == "OrderAsked":
-        obj.OrderAsked = _ORDER_RANGE
+    properties.add_properties(obj, _GROUPS, _STARTS)
 
 
 def set_numbers(obj, numbers):
@@ -119,9 +104,9 @@ def set_numbers(obj, numbers):
 def set_editors(obj):
     """Results cannot be edited, tolerances of a preset neither; what does not exist is hidden."""
     for name, _, _ in _RESULT:
-        obj.setEditorMode(name, _HIDDEN if name in _NEVER_SHOWN else _READ_ONLY)
+        obj.setEditorMode(name, HIDDEN if name in _NEVER_SHOWN else READ_ONLY)
     for name, _, _ in _NUMBERS.values():
         exists = not math.isnan(float(getattr(obj, name)))
-        obj.setEditorMode(name, _READ_ONLY if exists else _HIDDEN)
+        obj.setEditorMode(name, READ_ONLY if exists else HIDDEN)
     for name, _, _ in _TOLERANCES[2:]:
-        obj.setEditorMode(name, _SHOWN if obj.Preset == CUSTOM else _READ_ONLY)
+        obj.setEditorMode(name, SHOWN if obj.Preset == CUSTOM else READ_ONLY)

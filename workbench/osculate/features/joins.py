@@ -14,6 +14,8 @@ from osculate.features.edge_link import EdgeLink, LinkError, resolve_all
 
 translate = FreeCAD.Qt.translate
 
+END_NAMES = ("start", "end")
+
 #: Ends as the document stores them; None lets the analysis take the nearest.
 ENDS = {
     "nearest": None,

@@ -2,31 +2,26 @@
 
 import json
 
-import FreeCADGui
 from pivy import coin
 
 from osculate.gui import preferences, resources
+from osculate.gui.editable_view import EditableView
 from osculate.gui.overlays import nodes
 from osculate.gui.overlays.join_overlay import label_node
-from osculate.gui.task_dock import widen_dock
 from osculate.gui.verdict import ERROR_LOOK, look_of
 
 _MODE = "Label"
 
 
-class JoinCheckView:
+class JoinCheckView(EditableView):
     """View provider proxy of a JoinCheck.
 
     Documents name this class: keep module and name.
     """
 
-    def __init__(self, vobj):
-        vobj.Proxy = self
-
     def attach(self, vobj):
-        self._object = vobj.Object
+        super().attach(vobj)
         self._root = coin.SoSeparator()
-        self._panel = None  #: open while the object is edited
         vobj.addDisplayMode(self._root, _MODE)
         self._show_label()
 
@@ -47,28 +42,12 @@ class JoinCheckView:
             self._show_label()
             obj.ViewObject.signalChangeIcon()
 
-    def doubleClicked(self, vobj):
-        FreeCADGui.getDocument(vobj.Object.Document.Name).setEdit(vobj.Object.Name)
-        return True
-
-    def setEdit(self, vobj, mode):
-        if mode != 0:
-            return False
+    def make_panel(self, obj):
         from osculate.gui.panel.edit_panel import EditPanel
-        if FreeCADGui.Control.activeDialog():
-            return False
-        self._panel = EditPanel(vobj.Object)
-        self._show_label()
-        FreeCADGui.Control.showDialog(self._panel)
-        widen_dock(self._panel.form)
-        return True
+        return EditPanel(obj)
 
-    def unsetEdit(self, _vobj, mode):
-        panel, self._panel = self._panel, None
-        if panel is not None:
-            panel.finish()
+    def editing_changed(self):
         self._show_label()
-        return mode == 0
 
     def _show_label(self):
         self._root.removeAllChildren()
@@ -79,15 +58,6 @@ class JoinCheckView:
                             for side in json.loads(obj.Report)["sides"]]
             self._root.addChild(nodes.untouchable(
                 label_node(obj.Position, verdict, preferences.load(), surroundings)))
-
-    def dumps(self):
-        return None
-
-    def loads(self, _state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _look(obj):

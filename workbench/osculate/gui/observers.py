@@ -39,17 +39,25 @@ class _Later:
 
 
 class ModelObserver:
-    """Calls `changed()` after edits of any document, `closed(name)` when a document goes."""
+    """Calls `changed()` after edits of any document, `closed(name)` when a document goes.
 
-    def __init__(self, changed, closed):
+    Edits during which `ignores()` is true are not told: those of the caller itself.
+    """
+
+    def __init__(self, changed, closed, ignores=lambda: False):
         self._later = _Later(changed)
         self._closed = closed
-        self.slotChangedObject = self._later.start
-        self.slotDeletedObject = self._later.start
-        self.slotRecomputedDocument = self._later.start
-        self.slotUndoDocument = self._later.start
-        self.slotRedoDocument = self._later.start
+        self._ignores = ignores
+        self.slotChangedObject = self._tell
+        self.slotDeletedObject = self._tell
+        self.slotRecomputedDocument = self._tell
+        self.slotUndoDocument = self._tell
+        self.slotRedoDocument = self._tell
         FreeCAD.addDocumentObserver(self)
+
+    def _tell(self, *_args):
+        if not self._ignores():
+            self._later.start()
 
     def slotDeletedDocument(self, document):
         self._closed(document.Name)

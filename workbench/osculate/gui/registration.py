@@ -1,6 +1,10 @@
 """What FreeCAD learns of Osculate when it starts."""
 
+from functools import partial
+from importlib import import_module
+
 from osculate.features import views
+from osculate.features.blend_curve import BlendCurve
 from osculate.features.join_check import JoinCheck
 from osculate.gui import resources
 from osculate.gui.preferences_page import PreferencesPage
@@ -14,10 +18,19 @@ def register(gui):
     gui.addIconPath(resources.ICONS)
     gui.addPreferencePage(PreferencesPage, "Osculate")
     gui.addWorkbench(OsculateWorkbench())
-    views.register(JoinCheck, _view_join_check)
+    for kind, view in _VIEWS.items():
+        views.register(kind, partial(_give, view))
 
 
-def _view_join_check(view_object):
-    from osculate.gui.join_check_view import JoinCheckView  # Coin is loaded when it is used
-    if not isinstance(view_object.Proxy, JoinCheckView):
-        JoinCheckView(view_object)
+#: Proxy class of a document object -> module and class of its view, loaded when it is used.
+_VIEWS = {
+    JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
+    BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
+}
+
+
+def _give(view, view_object):
+    module, name = view
+    kind = getattr(import_module(module), name)
+    if not isinstance(view_object.Proxy, kind):
+        kind(view_object)

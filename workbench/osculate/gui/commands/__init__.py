@@ -3,9 +3,10 @@
 import FreeCADGui
 
 from osculate.gui.commands.analyze_join import AnalyzeJoin
+from osculate.gui.commands.blend import Blend
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin,)
+COMMANDS = (AnalyzeJoin, Blend)
 
 
 def register():

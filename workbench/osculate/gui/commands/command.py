@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 
 from osculate.gui import resources
+from osculate.gui.task_dock import widen_dock
 
 
 class Command:
@@ -24,3 +25,15 @@ class Command:
 
     def Activated(self):
         raise NotImplementedError
+
+
+class ConstructCommand(Command):
+    """Base of a command that opens the panel of a construction on what is selected."""
+
+    panel = None  #: the class of the ConstructPanel
+
+    def Activated(self):
+        panel = self.panel(FreeCAD.ActiveDocument)
+        FreeCADGui.Control.showDialog(panel)
+        widen_dock(panel.form)
+        panel.take_selection()

@@ -1,6 +1,7 @@
 """Which edges are analysed, at which ends they meet, and the buttons that change this."""
 
 from osculate.gui import resources
+from osculate.gui.panel.side_tag import side_tag
 from osculate.gui.qt import Qt, QtCore, QtWidgets, Signal, translate
 
 _ARROWS = {"end": "→|", "start": "|←"}  # the first edge arrives at the join ...
@@ -64,11 +65,7 @@ class _SideRow:
     """The widgets of one side."""
 
     def __init__(self, number, color):
-        self.tag = QtWidgets.QLabel(str(number))
-        self.tag.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.tag.setFixedSize(20, 20)
-        self.tag.setStyleSheet(f"background: {color}; color: white; border-radius: 10px;"
-                               " font-weight: bold;")
+        self.tag = side_tag(number, color)
         self.name = ElidedLabel()
         self.end_button = QtWidgets.QToolButton()
         self.end_button.setToolTip(translate("Osculate", "Take the other end of this edge"))

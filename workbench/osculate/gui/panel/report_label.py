@@ -21,7 +21,8 @@ class ReportLabel(QtWidgets.QLabel):
 
     def show_report(self, report):
         self._report = report
-        self.setText(self.html(report))
+        if self.isVisible():  # else it is written when it is shown
+            self._write_again()
 
     def changeEvent(self, event):
         super().changeEvent(event)

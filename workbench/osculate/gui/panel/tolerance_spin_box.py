@@ -2,46 +2,22 @@
 
 import math
 
-from osculate.gui.qt import Qt, QtGui, QtWidgets
+from osculate.gui.panel.number_spin_box import NumberSpinBox
 
 _LEAST, _MOST = 1e-12, 1e6
 
 
-class ToleranceSpinBox(QtWidgets.QDoubleSpinBox):
+class ToleranceSpinBox(NumberSpinBox):
     """A positive number of up to 6 significant digits."""
 
     def __init__(self, suffix):
-        super().__init__()
-        self.setSuffix(suffix)
-        self.setDecimals(15)  # of what is kept; what is shown is up to textFromValue
-        self.setRange(_LEAST, _MOST)
-        self.setKeyboardTracking(False)
+        super().__init__(suffix, _LEAST, _MOST)
 
-    def textFromValue(self, value):
-        return f"{value:.6g}"
+    def is_allowed(self, value):
+        return value > 0.0
 
-    def valueFromText(self, text):
-        return float(self._number(text))
-
-    def validate(self, text, position):
-        number = self._number(text)
-        try:
-            good = math.isfinite(float(number)) and float(number) > 0.0
-        except ValueError:
-            unfinished = all(character in "0123456789.eE+-" for character in number)
-            state = QtGui.QValidator.State
-            return state.Intermediate if unfinished else state.Invalid, text, position
-        state = QtGui.QValidator.State
-        return state.Acceptable if good else state.Intermediate, text, position
-
-    def stepBy(self, steps):
-        for _ in range(abs(steps)):
-            self.setValue(_next_step(self.value(), steps > 0))
-
-    def keyPressEvent(self, event):
-        super().keyPressEvent(event)
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            event.accept()  # takes the number; FreeCAD would press OK as well
+    def next_step(self, value, up):
+        return _next_step(value, up)
 
     def sizeHint(self):
         hint = super().sizeHint()
@@ -50,9 +26,6 @@ class ToleranceSpinBox(QtWidgets.QDoubleSpinBox):
 
     def minimumSizeHint(self):
         return self.sizeHint()
-
-    def _number(self, text):
-        return text.replace(self.suffix(), "").strip().replace(",", ".")
 
 
 def _next_step(value, up):

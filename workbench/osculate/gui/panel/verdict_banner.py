@@ -11,8 +11,9 @@ _TILE = 60
 class VerdictBanner(QtWidgets.QWidget):
     """The tile of the order, what is missed, the tolerance, and the parametric order."""
 
-    def __init__(self):
+    def __init__(self, tile_size=_TILE):
         super().__init__()
+        self._tile_size = tile_size
         self.tile = QtWidgets.QLabel()
         self.text = _VerdictText()
         layout = QtWidgets.QHBoxLayout(self)
@@ -23,7 +24,7 @@ class VerdictBanner(QtWidgets.QWidget):
 
     def show_report(self, report):
         look = look_of(report.order, report.verdicts)
-        self.tile.setPixmap(resources.icon(look.icon).pixmap(_TILE, _TILE))
+        self.tile.setPixmap(resources.icon(look.icon).pixmap(self._tile_size, self._tile_size))
         self.text.show_report(report)
 
 

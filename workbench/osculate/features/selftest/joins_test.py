@@ -1,12 +1,6 @@
-"""Tests of the document objects that every user can run: freecadcmd -t osculate.features.selftest
-
-They need no GUI and run as well inside FreeCAD's own test framework.
-"""
+"""Tests of the document object JoinCheck and of the joins of edges."""
 
 import math
-import os
-import tempfile
-import unittest
 
 import FreeCAD
 import Part
@@ -15,34 +9,16 @@ from osculate.features import make_join_check
 from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.features.join_check_properties import _GROUPS
 from osculate.features.joins import analyze_links
+from osculate.features.selftest.feature_case import FeatureCase
 from osculate.features.tolerance_choice import ToleranceValues, tolerances_of
 
 V = FreeCAD.Vector
 
 
-class FeatureCase(unittest.TestCase):
-    """A line and a quarter of a circle of radius 20 that touches it: G1, misses G2."""
-
-    def setUp(self):
-        self.doc = FreeCAD.newDocument("OsculateSelftest")
-        self.line = self.add("Line", Part.LineSegment(V(0, 0, 0), V(50, 0, 0)).toShape())
-        circle = Part.Circle(V(50, 20, 0), V(0, 0, 1), 20)
-        self.arc = self.add("Arc", Part.ArcOfCircle(circle, -math.pi / 2, 0).toShape())
-        self.doc.recompute()
-
-    def tearDown(self):
-        FreeCAD.closeDocument(self.doc.Name)
-
-    def add(self, name, shape):
-        obj = self.doc.addObject("Part::Feature", name)
-        obj.Shape = shape
-        return obj
-
+class JoinCheckTest(FeatureCase):
     def check(self, **options):
         return make_join_check(self.doc, (self.line, "Edge1"), (self.arc, "Edge1"), **options)
 
-
-class JoinCheckTest(FeatureCase):
     def test_result(self):
         check = self.check()
         self.assertEqual((check.Status, check.Continuity, check.Order), ("OK", "G1", 1))
@@ -160,12 +136,7 @@ class JoinCheckTest(FeatureCase):
     def test_saving_and_loading(self):
         check = self.check(preset="class-a", order=3)
         before = self.values(check)
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "check.FCStd")
-            self.doc.saveAs(path)
-            FreeCAD.closeDocument(self.doc.Name)
-            self.doc = FreeCAD.openDocument(path)
-        check = self.doc.JoinCheck
+        check = self.save_and_load().JoinCheck
         self.assertEqual(self.values(check), before)
         self.assertNotIn("Touched", check.State)
         self.doc.Line.Placement.Base.z = 1.0

@@ -1,0 +1,346 @@
+"""The command Blend and its panel, used with mouse and keyboard."""
+
+import FreeCAD
+import FreeCADGui
+
+import samples
+from gui_case import DARK, GuiCase
+from osculate.gui.construct.blend_form import BlendForm
+from osculate.gui.qt import QtWidgets
+
+
+class BlendCase(GuiCase):
+    form_type = BlendForm
+
+    def setUp(self):
+        super().setUp()
+        self.doc.UndoMode = 1
+        self.first, self.second = samples.blend_ends(self.doc)
+        self.fit()
+
+    def blend(self, *targets):
+        self.select(*targets)
+        FreeCADGui.runCommand("Osculate_Blend")
+        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
+        self.pump()
+        return self.form()
+
+    def blend_both(self):
+        return self.blend((self.first, "Edge1"), (self.second, "Edge1"))
+
+    def press(self, name):
+        """Presses OK or Cancel of the task panel."""
+        standard = getattr(QtWidgets.QDialogButtonBox.StandardButton, name)
+        boxes = FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+        self.click(next(filter(None, (box.button(standard) for box in boxes
+                                      if box.isVisible()))))
+
+    def finish(self, name):
+        self.press(name)
+        self.wait_for(lambda: self.form() is None, "the panel to close")
+
+    def names(self):
+        return [obj.Name for obj in self.doc.Objects]
+
+
+class StartTest(BlendCase):
+    def test_two_selected_edges_are_blended_at_once(self):
+        form = self.blend_both()
+        self.assertEqual(self.doc.BlendCurve.Continuity, ["G3", "G3"])
+        self.assertEqual(form.ends[0].edge.name.text(), "Left.Edge1")
+        self.assertFalse(form.advice.isVisible())
+        self.screenshot("blend_panel")
+
+    def test_edges_are_asked_for_one_by_one(self):
+        form = self.blend()
+        self.assertIn("two edges", form.advice.text())
+        self.assertTrue(form.ends[0].edge.pick.isChecked())
+        self.screenshot("blend_asks")
+        self.select((self.first, "Edge1"))
+        self.assertTrue(form.ends[1].edge.pick.isChecked())
+        self.assertEqual(self.names(), ["Left", "Right"])
+        self.select((self.second, "Edge1"))
+        self.assertEqual(self.doc.BlendCurve.Status, "OK")
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx(), [])
+
+    def test_one_selected_edge_counts_as_the_first(self):
+        form = self.blend((self.second, "Edge1"))
+        self.select((self.first, "Edge1"))
+        self.assertEqual(self.doc.BlendCurve.First[0].Name, "Right")
+        self.assertEqual(form.ends[1].edge.name.text(), "Left.Edge1")
+
+    def test_faces_and_too_many_edges_are_refused(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        form = self.blend((box, "Face1"))
+        self.assertIn("Box.Face1 is no edge", form.advice.text())
+        self.select((box, ""))
+        self.assertIn("12 edges", form.advice.text())
+        self.select((self.first, "Edge1"))
+        self.assertIn("two edges", form.advice.text())
+
+    def test_edges_of_another_document_are_refused(self):
+        other = FreeCAD.newDocument("Other")
+        line, _ = samples.line_and_arc(other)
+        FreeCAD.setActiveDocument(self.doc.Name)
+        form = self.blend()
+        FreeCADGui.Selection.addSelection("Other", line.Name, "Edge1")
+        self.pump()
+        self.assertIn("in one document", form.advice.text())
+
+    def test_coinciding_ends_are_said_and_nothing_is_kept(self):
+        self.second.Placement.Base = FreeCAD.Vector(-50, -10, 0)
+        self.doc.recompute()
+        form = self.blend_both()
+        self.assertIn("coincide", form.trouble.text())
+        self.assertFalse(form.verdicts.isVisible())
+        self.press("Ok")
+        self.assertIsNotNone(self.form())
+        self.assertIn("nothing to keep", form.advice.text())
+        self.finish("Cancel")
+        self.assertEqual(self.names(), ["Left", "Right"])
+
+
+class EndTest(BlendCase):
+    def test_ok_is_one_step_of_undo(self):
+        undos = self.doc.UndoCount
+        form = self.blend_both()
+        self.click(form.ends[0].order.buttons[1])
+        self.type_number(form.ends[0].numbers[0].box, "0.8")
+        self.finish("Ok")
+        self.assertEqual(self.doc.UndoCount, undos + 1)
+        self.assertEqual(self.doc.BlendCurve.FirstBeta1, 0.8)
+        self.doc.undo()
+        self.assertEqual(self.names(), ["Left", "Right"])
+        self.doc.redo()
+        self.assertEqual(self.doc.BlendCurve.FirstBeta1, 0.8)
+
+    def test_cancel_leaves_the_document_as_it_was(self):
+        undos = self.doc.UndoCount
+        form = self.blend_both()
+        self.click(form.ends[0].order.buttons[1])
+        self.finish("Cancel")
+        self.assertEqual(self.names(), ["Left", "Right"])
+        self.assertEqual(self.doc.UndoCount, undos)
+
+    def test_cancel_without_edges(self):
+        self.blend()
+        self.finish("Cancel")
+        self.assertEqual(self.names(), ["Left", "Right"])
+
+    def test_ok_without_edges_keeps_nothing(self):
+        undos = self.doc.UndoCount
+        self.blend()
+        self.finish("Ok")
+        self.assertEqual((self.names(), self.doc.UndoCount), (["Left", "Right"], undos))
+
+    def test_dialog_closed_by_a_script_keeps_nothing(self):
+        self.blend_both()
+        FreeCADGui.Control.closeDialog()
+        self.wait_for(lambda: self.form() is None, "the panel to close")
+        self.pump()
+        self.assertEqual(self.names(), ["Left", "Right"])
+
+    def test_document_closed(self):
+        self.blend_both()
+        FreeCAD.closeDocument(self.doc.Name)
+        self.wait_for(lambda: self.form() is None, "the panel to close")
+
+    def test_undo_while_the_panel_is_open(self):
+        self.blend_both()
+        self.doc.undo()
+        self.wait_for(lambda: self.form() is None, "the panel to close")
+        self.assertEqual(self.names(), ["Left", "Right"])
+        self.doc.redo()
+        self.assertEqual(self.doc.BlendCurve.Status, "OK")
+
+
+class EditTest(BlendCase):
+    def setUp(self):
+        super().setUp()
+        self.blend_both()
+        self.finish("Ok")
+        self.blend_ = self.doc.BlendCurve
+        self.undos = self.doc.UndoCount
+
+    def edit(self):
+        self.blend_.ViewObject.doubleClicked()
+        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
+        self.pump()
+        return self.form()
+
+    def test_ok_keeps_as_one_step(self):
+        form = self.edit()
+        self.click(form.ends[1].order.buttons[2])
+        self.click(form.symmetric)
+        self.finish("Ok")
+        self.assertEqual(self.doc.UndoCount, self.undos + 1)
+        self.assertEqual((self.blend_.SecondOrder, self.blend_.Symmetric), (2, True))
+        self.doc.undo()
+        self.assertEqual((self.blend_.SecondOrder, self.blend_.Symmetric), (3, False))
+
+    def test_cancel_takes_back(self):
+        before = self.blend_.Shape.Length, self.blend_.FirstBeta1
+        form = self.edit()
+        self.type_number(form.ends[0].numbers[0].box, "2.5")
+        self.assertNotEqual(self.blend_.Shape.Length, before[0])
+        self.finish("Cancel")
+        self.assertEqual((self.blend_.Shape.Length, self.blend_.FirstBeta1), before)
+        self.assertFalse(self.blend_.FirstBeta1Fixed)
+        self.assertEqual(self.doc.UndoCount, self.undos)
+        self.assertEqual(self.blend_.State, ["Up-to-date"])
+
+    def test_undo_while_editing_and_going_on(self):
+        form = self.edit()
+        self.click(form.ends[0].order.buttons[2])
+        self.doc.undo()
+        self.pump()
+        self.assertEqual(self.blend_.FirstOrder, 3)
+        self.assertTrue(form.ends[0].order.buttons[3].isChecked())
+        self.click(form.ends[0].order.buttons[1])
+        self.finish("Ok")
+        self.assertEqual(self.blend_.FirstOrder, 1)
+        self.doc.undo()
+        self.assertEqual(self.blend_.FirstOrder, 3)
+
+    def test_other_edges_are_picked_and_loops_refused(self):
+        line, _ = samples.line_and_arc(self.doc)
+        line.Placement.Base.y = 60
+        self.doc.recompute()
+        form = self.edit()
+        self.click(form.ends[0].edge.pick)
+        self.select((self.blend_, "Edge1"))
+        self.assertIn("cannot use its edges", form.advice.text())
+        self.select((line, "Edge1"))
+        self.assertEqual(self.blend_.First[0].Name, line.Name)
+        self.assertFalse(form.advice.isVisible())
+        self.finish("Ok")
+
+    def test_deleted_edge(self):
+        self.doc.removeObject("Right")
+        self.doc.recompute()
+        length = self.blend_.Shape.Length
+        form = self.edit()
+        self.assertIn("deleted", form.trouble.text())
+        self.screenshot("blend_broken")
+        line, _ = samples.line_and_arc(self.doc)
+        line.Placement.Base.y = 60
+        self.doc.recompute()
+        self.select((line, "Edge1"))
+        self.assertEqual(self.blend_.Status, "OK")
+        self.assertNotEqual(self.blend_.Shape.Length, length)
+        self.finish("Ok")
+        self.assertTrue(self.blend_.isValid())
+
+
+class FormTest(BlendCase):
+    def setUp(self):
+        super().setUp()
+        self.form_ = self.blend_both()
+        self.obj = self.doc.BlendCurve
+
+    def test_orders(self):
+        for order in (0, 4):
+            self.click(self.form_.ends[0].order.buttons[order])
+            self.assertEqual((self.obj.FirstOrder, self.obj.Status), (order, "OK"))
+            self.assertEqual([row.box.isVisible() for row in self.form_.ends[0].numbers],
+                             [k <= order for k in range(1, 9)])
+        self.assertEqual(self.form_.degree.value(), 8)
+
+    def test_fixing_and_freeing_a_number(self):
+        row = self.form_.ends[0].numbers[1]
+        chosen = self.obj.FirstBeta2
+        self.click(row.lock)
+        self.assertEqual((self.obj.FirstBeta2, self.obj.FirstBeta2Fixed), (chosen, True))
+        self.type_number(row.box, "-2")
+        self.assertEqual(self.obj.FirstBeta2, -2.0)
+        self.click(row.lock)
+        self.assertFalse(self.obj.FirstBeta2Fixed)
+        self.assertAlmostEqual(self.obj.FirstBeta2, chosen, delta=1e-6)
+        self.assertAlmostEqual(row.box.value(), chosen, delta=1e-5)
+
+    def test_slider_changes_live_and_is_one_step(self):
+        row = self.form_.ends[0].numbers[0]
+        row.slider.setSliderDown(True)
+        lengths = set()
+        for place in (-200, 0, 200):
+            row.slider.setValue(place)
+            lengths.add(self.obj.Shape.Length)
+        row.slider.setSliderDown(False)
+        self.pump()
+        self.assertEqual(len(lengths), 3)
+        self.assertAlmostEqual(self.obj.FirstBeta1, 10.0 ** 0.2, delta=1e-9)
+        self.click(self.form_.back)
+        self.assertFalse(self.obj.FirstBeta1Fixed)
+        self.assertFalse(self.form_.back.isEnabled())
+        self.click(self.form_.forward)
+        self.assertAlmostEqual(self.obj.FirstBeta1, 10.0 ** 0.2, delta=1e-9)
+
+    def test_fixed_numbers_do_not_jump_with_the_order(self):
+        self.type_number(self.form_.ends[0].numbers[0].box, "0.9")
+        for order in (4, 2, 1, 3):
+            self.click(self.form_.ends[0].order.buttons[order])
+            self.assertEqual(self.form_.ends[0].numbers[0].box.value(), 0.9)
+
+    def test_fair_frees_all_and_shows_what_it_gains(self):
+        self.type_number(self.form_.ends[0].numbers[0].box, "3")
+        worse = self.obj.Variation
+        self.click(self.form_.fair)
+        self.assertLess(self.obj.Variation, worse)
+        self.assertFalse(self.obj.FirstBeta1Fixed)
+        self.assertIn("−", self.form_.energies.text())
+        self.screenshot("blend_fair")
+
+    def test_flip_and_nearest(self):
+        end = self.form_.ends[0].end
+        self.click(end)
+        self.assertEqual((self.obj.FirstEnd, self.obj.EndsMade), ("start", "start-start"))
+        end.actions_["nearest"].trigger()
+        self.pump()
+        self.assertEqual(self.obj.EndsMade, "end-start")
+
+    def test_place_inside(self):
+        end = self.form_.ends[0]
+        end.end.actions_["inside-forward"].trigger()
+        self.pump()
+        self.assertTrue(end.position.isVisible())
+        end.position.box.setValue(25.0)
+        self.pump()
+        self.assertEqual((self.obj.FirstPosition, self.obj.Status), (0.25, "OK"))
+        self.screenshot("blend_inside")
+        self.click(end.end)
+        self.assertEqual(self.obj.FirstEnd, "inside-backward")
+
+    def test_degree(self):
+        before = self.obj.Variation
+        self.form_.degree.setValue(10)
+        self.pump()
+        self.assertEqual((self.obj.Degree, self.obj.CurveDegree), (10, 10))
+        self.assertLessEqual(self.obj.Variation, before * (1 + 1e-9))
+        self.click(self.form_.ends[0].order.buttons[4])
+        self.assertEqual(self.obj.CurveDegree, 10)
+        self.form_.degree.setValue(8)
+        self.pump()
+        self.assertEqual((self.obj.Degree, self.obj.CurveDegree), (0, 8))
+
+    def test_degree_that_the_orders_outgrow(self):
+        self.form_.degree.setValue(8)
+        for end in self.form_.ends:
+            self.click(end.order.buttons[4])
+        self.assertEqual(self.obj.Status, "OK")
+        self.assertEqual(self.form_.degree.value(), 9)
+
+    def test_follows_the_model(self):
+        self.first.Placement.Base.z = 5.0
+        self.pump()
+        self.assertAlmostEqual(self.obj.Shape.Edges[0].valueAt(0.0).z, 5.0, delta=1e-9)
+        self.doc.recompute()
+        self.pump()
+        self.assertNotIn("Touched", self.obj.State)
+
+    def test_dark(self):
+        FreeCADGui.getMainWindow().setStyleSheet(
+            "QWidget { background: #2b2b2b; color: #e0e0e0 }")
+        self.set_background(DARK)
+        self.addCleanup(FreeCADGui.getMainWindow().setStyleSheet, "")
+        self.screenshot("blend_dark")

@@ -1,0 +1,9 @@
+"""Tests of the document objects that every user can run: freecadcmd -t osculate.features.selftest
+
+They need no GUI and run as well inside FreeCAD's own test framework, which wants all in one module.
+"""
+
+from osculate.features.selftest.blend_curve_test import BlendCurveTest
+from osculate.features.selftest.joins_test import JoinCheckTest, JoinsTest
+
+__all__ = ["BlendCurveTest", "JoinCheckTest", "JoinsTest"]

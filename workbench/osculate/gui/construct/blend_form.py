@@ -1,0 +1,113 @@
+"""The widgets of Blend."""
+
+from osculate import MAX_ORDER
+from osculate.features import beta_properties
+from osculate.features.blend_curve import FAIRNESS, MOST_DEGREE, SIDES
+from osculate.gui import resources
+from osculate.gui.construct.construct_form import ConstructForm
+from osculate.gui.construct.end_box import EndBox
+from osculate.gui.qt import QtWidgets, translate
+
+
+class BlendForm(ConstructForm):
+    """Both ends, the degree, what chooses the free numbers."""
+
+    def __init__(self, preferences):
+        super().__init__(translate("Osculate", "Blend"), "blend", preferences)
+        self.setObjectName("OsculateBlendPanel")
+
+    def content(self):
+        self._degree, self._orders = 0, {}
+        colors = self.preferences.side_colors
+        self.ends = [EndBox(side, number, color)
+                     for number, (side, color) in enumerate(zip(SIDES, colors), start=1)]
+        for index, end in enumerate(self.ends):
+            end.edited.connect(self._end_edited)
+            end.settled.connect(self.settled)
+            end.edge.pick_toggled.connect(
+                lambda is_on, index=index: self.edge_awaited.emit(index if is_on else None))
+        self._make_choices()
+        self.choices = self._choices_row()
+        return (*self.ends, self.choices, self.fair)
+
+    def show_parts(self, has_object):
+        for end in self.ends:
+            end.show_parts(has_object)
+        self.choices.setVisible(has_object)
+        self.fair.setVisible(has_object)
+
+    def _make_choices(self):
+        self.degree = QtWidgets.QSpinBox()
+        self.degree.setMaximum(MOST_DEGREE)
+        self.degree.setKeyboardTracking(False)
+        self.degree.valueChanged.connect(self._degree_changed)
+        self.fairness = QtWidgets.QComboBox()
+        for name in FAIRNESS:
+            self.fairness.addItem(_fairness_name(name), name)
+        self.fairness.activated.connect(
+            lambda index: self.edited.emit({"Fairness": self.fairness.itemData(index)}, True))
+        self.symmetric = QtWidgets.QCheckBox(translate("Osculate", "Symmetric"))
+        self.symmetric.setToolTip(translate("Osculate", "Chosen numbers are equal at both ends"))
+        self.symmetric.clicked.connect(
+            lambda is_on: self.edited.emit({"Symmetric": is_on}, True))
+        self.fair = QtWidgets.QPushButton(resources.icon("fair"), translate("Osculate", "Fair"))
+        self.fair.setToolTip(translate("Osculate", "Let all numbers be chosen: the fairest curve"))
+        self.fair.clicked.connect(self._make_fair)
+
+    def _choices_row(self):
+        row = QtWidgets.QWidget()
+        layout = QtWidgets.QHBoxLayout(row)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(QtWidgets.QLabel(translate("Osculate", "Degree")))
+        layout.addWidget(self.degree)
+        layout.addWidget(self.fairness, 1)
+        layout.addWidget(self.symmetric)
+        return row
+
+    def show_edges(self, choice):
+        for index, (end, link) in enumerate(zip(self.ends, choice.links)):
+            end.show_edge(link, choice.awaited == index)
+
+    def _end_edited(self, settings, is_settled):
+        """Orders that outgrow the degree take the least one again."""
+        orders = {**self._orders, **{name: value for name, value in settings.items()
+                                     if name in self._orders}}
+        if 0 < self._degree <= sum(orders.values()):
+            settings = {**settings, "Degree": 0}
+        self.edited.emit(settings, is_settled)
+
+    def show_object(self, obj, result):
+        made = (obj.EndsMade or "end-start").split("-")
+        for end, name in zip(self.ends, made):
+            end.show_object(obj, name)
+        self._show_degree(obj)
+        self.fairness.setCurrentIndex(self.fairness.findData(obj.Fairness))
+        self.symmetric.setChecked(obj.Symmetric)
+
+    def _show_degree(self, obj):
+        """The least degree is shown as a number, and stays the least when orders change."""
+        self._degree = obj.Degree
+        self._orders = {f"{side}Order": getattr(obj, f"{side}Order") for side in SIDES}
+        least = sum(self._orders.values()) + 1
+        blocked = self.degree.blockSignals(True)
+        self.degree.setMinimum(least)
+        self.degree.setValue(obj.Degree or least)
+        self.degree.blockSignals(blocked)
+        self.degree.setToolTip(translate("Osculate", "At least {}, what the orders need; further "
+                                                     "poles make the curve fairer").format(least))
+
+    def _degree_changed(self, degree):
+        self.edited.emit({"Degree": 0 if degree == self.degree.minimum() else degree}, True)
+
+    def _make_fair(self):
+        settings = {beta_properties.fixed_name(side, k): False
+                    for side in SIDES for k in range(1, MAX_ORDER + 1)}
+        if self.fairness.currentData() == "none":
+            settings["Fairness"] = "mvc"
+        self.edited.emit(settings, True)
+
+
+def _fairness_name(name):
+    return {"mvc": translate("Osculate", "Even curvature"),
+            "bending": translate("Osculate", "Least bending"),
+            "none": translate("Osculate", "Nothing chosen")}[name]

@@ -1,0 +1,229 @@
+"""The task panel of a construction: a form around a session, observers, overlays."""
+
+import FreeCADGui
+
+from osculate.features.constructed import refuse_loop
+from osculate.features.edge_link import EdgeLink, LinkError
+from osculate.gui import preferences
+from osculate.gui.construct.edge_choice import EdgeChoice
+from osculate.gui.construct.session import Session
+from osculate.gui.observers import ModelObserver, SelectionObserver
+from osculate.gui.qt import QtWidgets, button_bits, translate
+from osculate.gui.selection import selected_links
+
+
+class ConstructPanel:
+    """What FreeCADGui.Control shows while a curve is constructed or edited.
+
+    A subclass says what it makes and from how many edges. OK keeps all as one step of undo, Cancel
+    leaves the document as it was.
+    """
+
+    edge_count = 2    #: how many edges it starts from
+    edge_names = ()   #: the properties that link to them
+
+    def __init__(self, document, obj=None):
+        self._is_edit = obj is not None
+        self._keeps = True
+        self.preferences = preferences.load()
+        self.edges = EdgeChoice(self.edge_count)
+        title = (translate("Osculate", "Edit {}").format(obj.Label) if obj else self.title())
+        self.session = Session(document, title, obj)
+        self.form = self.make_form()
+        self._observers = [ModelObserver(self._model_changed, self._document_closed,
+                                         lambda: self.session.is_busy),
+                           SelectionObserver(self.take_selection)]
+        self._connect()
+        if obj is not None:
+            self._take_links_of(obj)
+        self.show()
+
+    # What a subclass does
+
+    def title(self):
+        """The name of what is made, in the user's language."""
+        raise NotImplementedError
+
+    def make_form(self):
+        """The ConstructForm."""
+        raise NotImplementedError
+
+    def make_object(self, document, **settings):
+        """Adds the object to the document with some properties set, and returns it."""
+        raise NotImplementedError
+
+    def what_to_select(self):
+        """A sentence that asks for edges."""
+        raise NotImplementedError
+
+    def show_overlay(self):
+        """Draws into the 3D view what belongs to the object as it is."""
+
+    def remove_overlay(self, _document_closes):
+        """Takes it out again."""
+
+    # Edges
+
+    def take_selection(self):
+        """Takes what is selected as the edges that are awaited; says what to select where that does
+        not serve.
+        """
+        if self.edges.awaited is None:
+            return
+        try:
+            if self.edges.take(self._single_edges(selected_links())):
+                self._use_edges()
+        except LinkError as error:
+            self.form.advice.say(str(error), "warning")
+            return
+        self._advise()
+
+    def _single_edges(self, links):
+        """The links, if they are edges that were meant one by one."""
+        if len(links) > self.edge_count:
+            raise LinkError(translate("Osculate", "These are {} edges.").format(len(links))
+                            + " " + self.what_to_select())
+        for link in links:
+            if link.document != self.session.document_name:
+                raise LinkError(translate("Osculate", "The edges must be in one document, {}.")
+                                .format(self.session.document.Label))
+            if self.session.obj is not None:
+                refuse_loop(self.session.obj, link)
+        return links
+
+    def _use_edges(self):
+        """Makes the object once all edges are there, or gives it other ones."""
+        if self.edges.is_complete:
+            settings = {name: (link.resolve_object(), link.sub)
+                        for name, link in zip(self.edge_names, self.edges.links)}
+            if self.session.obj is None:
+                self.session.create(self.make_object, **settings)
+            else:
+                self.session.do(**settings)
+            FreeCADGui.Selection.clearSelection()  # its colour would hide that of the curves
+        self.show()
+
+    def _take_links_of(self, obj):
+        self.edges.show_links([_link_or_none(getattr(obj, name)) for name in self.edge_names])
+
+    def _await_edge(self, index):
+        self.edges.await_edge(index)
+        FreeCADGui.Selection.clearSelection()
+        self._advise()
+        self.form.show_edges(self.edges)
+
+    def _advise(self):
+        self.form.advice.say("" if self.edges.awaited is None else self.what_to_select())
+
+    # What happens
+
+    def _connect(self):
+        self.session.changed.connect(self.show)
+        form = self.form
+        form.edited.connect(self._edited)
+        form.settled.connect(self.session.settle)
+        form.edge_awaited.connect(self._await_edge)
+        form.back.clicked.connect(self.session.back)
+        form.forward.clicked.connect(self.session.forward)
+        form.destroyed.connect(self._form_destroyed)  # FreeCAD may close a dialog without asking
+
+    def _edited(self, settings, is_settled):
+        self.session.set(**settings)
+        if is_settled:
+            self.session.settle()
+
+    def _model_changed(self):
+        if self.session.was_made and self.session.obj is None:
+            self.reject()  # undo or another command took the object away
+        else:
+            self.session.follow_model()
+
+    def show(self):
+        """Shows the object as it is now, in the form and in the 3D view."""
+        session, form = self.session, self.form
+        form.show_edges(self.edges)
+        form.show_steps(session.can_go_back, session.can_go_forward)
+        form.show_parts(session.obj is not None)
+        if session.obj is not None:
+            form.show_object(session.obj, session.result)
+            form.show_outcome(session.result, session.error, session.energies)
+        self._advise()
+        self.show_overlay()
+
+    # The end
+
+    def accept(self):
+        if self.session.obj is None:
+            return self.reject()
+        if self.session.error:
+            self.form.advice.say(translate("Osculate", "There is nothing to keep yet: mend what is "
+                                                       "wrong, or Cancel."), "error")
+            return False
+        return self._leave(keeps=True)
+
+    def reject(self):
+        return self._leave(keeps=False)
+
+    def _leave(self, keeps):
+        self._keeps = keeps
+        obj = self.session.obj
+        if self._is_edit and obj is not None:
+            FreeCADGui.getDocument(obj.Document.Name).resetEdit()  # its end calls `finish`
+        else:
+            self.finish()
+        return True
+
+    def finish(self):
+        """Closes the panel; what was done stays, unless it was cancelled."""
+        self._end()
+        FreeCADGui.Control.closeDialog()
+
+    def _end(self):
+        if self._stop(document_closes=False):
+            if self._keeps:
+                self.session.commit()
+            else:
+                self.session.cancel()
+
+    def _form_destroyed(self, *_):
+        self._keeps = self._is_edit
+        self._end()
+
+    def _document_closed(self, name):
+        if name == self.session.document_name:
+            self._stop(document_closes=True)
+            FreeCADGui.Control.closeDialog()
+
+    def _stop(self, document_closes):
+        """Ends observers and overlay; False if that was done before."""
+        observers, self._observers = self._observers, []
+        for observer in observers:
+            observer.stop()
+        if observers:
+            self.remove_overlay(document_closes)
+        return bool(observers)
+
+    # What FreeCAD asks of a task panel:
+
+    def getStandardButtons(self):
+        buttons = QtWidgets.QDialogButtonBox.StandardButton
+        return button_bits(buttons.Ok, buttons.Cancel)
+
+    def isAllowedAlterDocument(self):
+        return False  # another command's transaction would end this one
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+    def needsFullSpace(self):
+        return True
+
+
+def _link_or_none(value):
+    try:
+        return EdgeLink.of_property(value)
+    except LinkError:
+        return None
