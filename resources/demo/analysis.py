@@ -1,4 +1,5 @@
-"""The demo without a screen: writes report.txt, joins.json, joins.csv and joins.FCStd.
+"""The demo without a screen: analyses, makes a G3 blend; writes report.txt, joins.json, joins.csv
+and joins.FCStd.
 
 Run by resources/demo/run inside freecadcmd, which ends with 0 whatever a script raises.
 """
@@ -18,6 +19,7 @@ from osculate.features import make_join_check
 from osculate.features.edge_link import EdgeLink, edges_of_object
 from osculate.features.joins import analyze_links
 
+import construction
 import models
 
 OUTPUT = Path(os.environ["OSCULATE_DEMO_OUTPUT"])
@@ -98,6 +100,15 @@ def analyse_part(document):
     return joins, apart(arcs_to_lines, 3.0)[:4]
 
 
+def blend_part(document, joins):
+    """Replaces a join of an arc and a line of the part by a G3 blend."""
+    place, report = max((join for join in joins
+                         if join[1].order == 1 and join[0].first.object == "SOT428_DPAK"),
+                        key=construction.evenness)
+    title("A join of the part, made G3")
+    construction.show_blend(place, report, *construction.replace_join(document, place))
+
+
 def analyse_text(document):
     outline = models.add_text(document, "Osculate", 40, FreeCAD.Vector(10, -60, 0))
     joins = timed_joins("DejaVu Sans, \"Osculate\"", [edges_of_object(outline)])
@@ -113,12 +124,14 @@ def analyse_and_write():
         found, chosen = analyse(document)
         joins += found
         checks += chosen
+    blend_part(document, joins)
     for place, _report in checks:
         add_check(document, place)
     labels = [place.label() for place, _report in joins]
     reports = [report for _place, report in joins]
     osculate.write_json(reports, OUTPUT / "joins.json", labels=labels)
     osculate.write_csv(reports, OUTPUT / "joins.csv", labels=labels)
+    models.keep_no_backups()
     document.saveAs(str(OUTPUT / "joins.FCStd"))
 
 

@@ -1,4 +1,5 @@
-"""The demo on a screen: draws joins.FCStd into joins.png and part.png, the panel into panel.png.
+"""The demo on a screen: draws joins.FCStd into joins.png, part.png and blend.png, the panel into
+panel.png.
 
 Run by resources/demo/run inside FreeCAD, where a script that raises would leave the window open.
 """
@@ -14,11 +15,15 @@ import FreeCADGui
 from osculate.gui.colors import SIDES
 from osculate.gui.qt import QtGui, QtWidgets
 
+import models
+
 OUTPUT = Path(os.environ["OSCULATE_DEMO_OUTPUT"])
 SECONDS_TO_PAINT = 0.5
 SECONDS_TO_WAIT = 20.0
 SAMPLE = tuple(f"G{order}{part}" for order in range(5) for part in "ab")
 CLOSE_UP = "G2"
+BLEND = ("Kept1", "BlendCurve", "Kept2")
+BLEND_COLOR = (1.0, 1.0, 1.0)
 
 
 def pump(seconds):
@@ -48,6 +53,9 @@ def dress(document):
     document.getObject("SOT428_DPAK").ViewObject.Transparency = 40
     for name in SAMPLE:
         document.getObject(name).ViewObject.LineColor = rgb(SIDES["ab".index(name[-1])])
+    for name, color in zip(BLEND, (rgb(SIDES[0]), BLEND_COLOR, rgb(SIDES[1]))):
+        document.getObject(name).ViewObject.LineColor = color
+        document.getObject(name).ViewObject.LineWidth = 5
 
 
 def show(document, names, with_checks=True):
@@ -74,6 +82,15 @@ def draw_models(document, view):
     show(document, ("SOT428_DPAK",))
     view.viewAxonometric()
     draw(view, "part.png", 1.1)
+    show(document, BLEND)
+    face_plane_of(document.getObject("BlendCurve").Shape, view)
+    draw(view, "blend.png", 1.0)
+
+
+def face_plane_of(shape, view):
+    """Turns the view to look at a plane curve from in front."""
+    normal = shape.findPlane().Axis
+    view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), normal).Q)
 
 
 def grab_panel(document, view):
@@ -108,8 +125,7 @@ def main():
     grab_panel(document, view)
     for obj in document.Objects:
         obj.ViewObject.Visibility = True
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document").SetBool(
-        "CreateBackupFiles", False)
+    models.keep_no_backups()
     document.save()
 
 

@@ -54,8 +54,13 @@ class DemoTest(unittest.TestCase):
         self.assertGreaterEqual(len(statuses), 7)
         self.assertEqual(set(statuses), {"OK"})
 
+    def test_the_blend_meets_both_edges_with_g3(self):
+        report = (OUTPUT / "report.txt").read_text(encoding="utf-8")
+        self.assertIn("Kept1 – BlendCurve: G3, misses G4 by ", report)
+        self.assertIn("BlendCurve – Kept2: G3, misses G4 by ", report)
+
     def test_pictures_show_labels(self):
-        for name in ("joins.png", "part.png", "panel.png"):
+        for name in ("joins.png", "part.png", "blend.png", "panel.png"):
             with self.subTest(name):
                 self.assertGreater(white_pixels(OUTPUT / name), 3000)
 
