@@ -4,7 +4,7 @@ import FreeCAD
 
 import osculate
 from osculate.features import beta_properties
-from osculate.features.constructed import Constructed, make, show_result
+from osculate.features.constructed import Constructed, make
 from osculate.features.departure import CHOICES, NEAREST, ends_of
 from osculate.features.edge_link import EdgeLink
 from osculate.features.properties import LINK, READ_ONLY, SHOWN, set_if_changed
@@ -70,8 +70,7 @@ class BlendCurve(Constructed):
             beta=tuple(beta_properties.given(obj, *end) for end in zip(SIDES, orders)),
             degree=obj.Degree or None, fairness=FAIRNESS[obj.Fairness], symmetric=obj.Symmetric)
 
-    def show(self, obj, result):
-        show_result(obj, result)
+    def show_choices(self, obj, result):
         first, second = result.reports
         set_if_changed(obj, "EndsMade", f"{first.ends[0]}-{second.ends[1]}")
         for side, numbers in zip(SIDES, result.beta):

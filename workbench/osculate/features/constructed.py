@@ -57,7 +57,7 @@ class Constructed:
     result_groups = ()  #: of results beyond those that all constructions have
     starts = {}        #: what properties begin with
 
-    result = None  #: of the last recompute, None if it failed or was before loading
+    result = None  #: of the last recompute or preview, None if it failed or was before loading
     error = ""     #: why it failed
 
     def __init__(self, obj):
@@ -71,6 +71,9 @@ class Constructed:
     def construct(self, obj):
         """The osculate.Construction that the properties ask for. Raises one of FAILURES."""
         raise NotImplementedError
+
+    def show_choices(self, obj, result):
+        """Sets the properties that the user left to be chosen."""
 
     def show(self, obj, result):
         """Sets the properties that say what came out."""
@@ -119,20 +122,28 @@ class Constructed:
         """Makes the shape and the results anew; returns why it cannot, or None. Never raises for
         what the user can mend.
         """
+        self.preview(obj)
+        if self.result is not None:
+            self.show(obj, self.result)
+            self.set_editors(obj)
+        return self.error or None
+
+    def preview(self, obj):
+        """Makes the shape anew, and of the results only what changes with it under the user's hand.
+
+        `result` or `error` say what came of it; the rest follows with `refresh`.
+        """
         self.result, self.error = None, ""
         try:
             result = self.construct(obj)
             edge = result.edge
         except FAILURES as error:
             self.error = str(error)
-            set_if_changed(obj, "Status", self.error)
-            return self.error
-        self.result = result
-        place(obj, edge)
-        self.show(obj, result)
-        set_if_changed(obj, "Status", "OK")
-        self.set_editors(obj)
-        return None
+        else:
+            self.result = result
+            place(obj, edge)
+            self.show_choices(obj, result)
+        set_if_changed(obj, "Status", self.error or "OK")
 
     def _results(self):
         return (*self.result_groups, _RESULT)

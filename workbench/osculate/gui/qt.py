@@ -24,3 +24,9 @@ def button_bits(*buttons):
     for button in buttons:
         bits |= int(getattr(button, "value", button))  # Qt 6 enumerations keep it in `value`
     return bits
+
+
+def mouse_position(event):
+    """(x, y) of a mouse event in its widget."""
+    place = event.position() if hasattr(event, "position") else event.localPos()
+    return place.x(), place.y()

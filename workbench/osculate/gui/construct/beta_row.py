@@ -4,7 +4,8 @@ import math
 
 from osculate.gui import resources
 from osculate.gui.panel.number_spin_box import NumberSpinBox
-from osculate.gui.qt import Qt, QtCore, QtWidgets, Signal, translate
+from osculate.gui.panel.quiet import Slider
+from osculate.gui.qt import QtCore, QtWidgets, Signal, translate
 
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _STEPS = 1000                      # of a slider, from its middle
@@ -23,14 +24,14 @@ class BetaRow(QtCore.QObject):
     def __init__(self, k):
         super().__init__()
         self._k = k
+        self._is_fixed = None  #: as it is shown
         self.name = QtWidgets.QLabel("β" + str(k).translate(_SUBSCRIPTS))
         self.name.setToolTip(_meaning(k))
         self.lock = QtWidgets.QToolButton()
         self.lock.setCheckable(True)
         self.lock.setAutoRaise(True)
         self.lock.setIconSize(QtCore.QSize(16, 16))
-        self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal)
-        self.slider.setRange(-_STEPS, _STEPS)
+        self.slider = Slider(-_STEPS, _STEPS)
         self.slider.setMinimumWidth(60)
         self.box = NumberSpinBox("", *((_LEAST, _MOST) if k == 1 else (-1e9, 1e9)))
         self.box.setFixedWidth(self.box.fontMetrics().horizontalAdvance("-0000.000") + 28)
@@ -45,10 +46,12 @@ class BetaRow(QtCore.QObject):
     def show_number(self, value, is_fixed):
         """Shows a number without telling anyone."""
         self.box.show_value(value)
-        if not self.slider.isSliderDown():
-            blocked = self.slider.blockSignals(True)
-            self.slider.setValue(round(_STEPS * _place(self._k, value)))
-            self.slider.blockSignals(blocked)
+        self.slider.show_value(round(_STEPS * _place(self._k, value)))
+        if is_fixed is not self._is_fixed:
+            self._show_lock(is_fixed)
+
+    def _show_lock(self, is_fixed):
+        self._is_fixed = is_fixed
         self.lock.setChecked(is_fixed)
         self.lock.setIcon(resources.icon("locked" if is_fixed else "free"))
         self.lock.setToolTip(
@@ -60,6 +63,7 @@ class BetaRow(QtCore.QObject):
             widget.setVisible(is_visible)
 
     def _lock_clicked(self, is_fixed):
+        self._is_fixed = None  # the click changed the button; what is shown next may not
         if is_fixed:
             self.given.emit(self._k, self.box.value(), True)
         else:

@@ -6,6 +6,7 @@ from osculate.features.blend_curve import FAIRNESS, MOST_DEGREE, SIDES
 from osculate.gui import resources
 from osculate.gui.construct.construct_form import ConstructForm
 from osculate.gui.construct.end_box import EndBox
+from osculate.gui.panel.quiet import ComboBox, SpinBox
 from osculate.gui.qt import QtWidgets, translate
 
 
@@ -37,11 +38,10 @@ class BlendForm(ConstructForm):
         self.fair.setVisible(has_object)
 
     def _make_choices(self):
-        self.degree = QtWidgets.QSpinBox()
+        self.degree = SpinBox()
         self.degree.setMaximum(MOST_DEGREE)
-        self.degree.setKeyboardTracking(False)
         self.degree.valueChanged.connect(self._degree_changed)
-        self.fairness = QtWidgets.QComboBox()
+        self.fairness = ComboBox()
         for name in FAIRNESS:
             self.fairness.addItem(_fairness_name(name), name)
         self.fairness.activated.connect(

@@ -7,6 +7,7 @@ from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.gui import preferences
 from osculate.gui.construct.edge_choice import EdgeChoice
 from osculate.gui.construct.session import Session
+from osculate.gui.construct.step_keys import StepKeys
 from osculate.gui.observers import ModelObserver, SelectionObserver
 from osculate.gui.qt import QtWidgets, button_bits, translate
 from osculate.gui.selection import selected_links
@@ -30,9 +31,11 @@ class ConstructPanel:
         title = (translate("Osculate", "Edit {}").format(obj.Label) if obj else self.title())
         self.session = Session(document, title, obj)
         self.form = self.make_form()
+        self.form.panel = self  # as long as there is a form, there is a panel
         self._observers = [ModelObserver(self._model_changed, self._document_closed,
                                          lambda: self.session.is_busy),
-                           SelectionObserver(self.take_selection)]
+                           SelectionObserver(self.take_selection),
+                           StepKeys(self.session.back, self.session.forward)]
         self._connect()
         if obj is not None:
             self._take_links_of(obj)
@@ -59,7 +62,7 @@ class ConstructPanel:
     def show_overlay(self):
         """Draws into the 3D view what belongs to the object as it is."""
 
-    def remove_overlay(self, _document_closes):
+    def remove_overlay(self, document_closes):
         """Takes it out again."""
 
     # Edges

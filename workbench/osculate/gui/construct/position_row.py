@@ -1,6 +1,8 @@
 """A place inside an edge, as a share of its length."""
 
-from osculate.gui.qt import Qt, QtWidgets, Signal, translate
+from osculate.gui.panel.number_spin_box import NumberSpinBox
+from osculate.gui.panel.quiet import Slider
+from osculate.gui.qt import QtWidgets, Signal, translate
 
 _STEPS = 1000  # of the slider
 
@@ -13,14 +15,8 @@ class PositionRow(QtWidgets.QWidget):
 
     def __init__(self):
         super().__init__()
-        self.slider = QtWidgets.QSlider(Qt.Orientation.Horizontal)
-        self.slider.setRange(0, _STEPS)
-        self.box = QtWidgets.QDoubleSpinBox()
-        self.box.setRange(0.0, 100.0)
-        self.box.setDecimals(3)
-        self.box.setSingleStep(1.0)
-        self.box.setSuffix(" %")
-        self.box.setKeyboardTracking(False)
+        self.slider = Slider(0, _STEPS)
+        self.box = NumberSpinBox(" %", 0.0, 100.0)
         self.slider.valueChanged.connect(
             lambda value: self.given.emit(value / _STEPS, not self.slider.isSliderDown()))
         self.slider.sliderReleased.connect(self.settled)
@@ -33,9 +29,5 @@ class PositionRow(QtWidgets.QWidget):
 
     def show_share(self, share):
         """Shows a share without telling anyone."""
-        for widget, value in ((self.slider, round(share * _STEPS)), (self.box, 100.0 * share)):
-            if widget is self.slider and widget.isSliderDown():
-                continue
-            blocked = widget.blockSignals(True)
-            widget.setValue(value)
-            widget.blockSignals(blocked)
+        self.box.show_value(100.0 * share)
+        self.slider.show_value(round(share * _STEPS))

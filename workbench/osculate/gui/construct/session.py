@@ -87,7 +87,7 @@ class Session(QtCore.QObject):
             return
         with self._own_work():
             self._apply(obj, settings)
-            obj.Proxy.refresh(obj)
+            obj.Proxy.preview(obj)
         self.changed.emit()
 
     def settle(self):
@@ -97,6 +97,10 @@ class Session(QtCore.QObject):
         self._recompute()
         self._remember()
         self.changed.emit()
+
+    def give_up(self):
+        """Takes back what was changed since the last step."""
+        self._go(self._place)
 
     def do(self, **settings):
         """A whole step."""
@@ -109,7 +113,7 @@ class Session(QtCore.QObject):
         self._require_transaction()
         if obj is not None and any("Touched" in other.State for other in (obj, *obj.OutList)):
             with self._own_work():
-                obj.Proxy.refresh(obj)
+                obj.Proxy.preview(obj)
         self.changed.emit()
 
     # Steps

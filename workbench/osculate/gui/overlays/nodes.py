@@ -39,24 +39,33 @@ def line_style(width, pattern=SOLID):
     return style
 
 
-def polyline(points):
-    """Nodes of one line through (n, 3) points."""
-    coordinates = coin.SoCoordinate3()
-    coordinates.point.setValues(0, len(points), [tuple(map(float, point)) for point in points])
-    lines = coin.SoLineSet()
-    lines.numVertices.setValue(len(points))
-    return coordinates, lines
+class Polyline:
+    """A line of `width` pixels through points; a solid one has a pale rim, which lifts it off the
+    model. `node` goes into the scene.
+    """
+
+    def __init__(self, points, color, width, pattern=SOLID):
+        self._coordinates = coin.SoCoordinate3()
+        self._lines = coin.SoLineSet()
+        line = self._coordinates, self._lines
+        parts = [*flat_color(rgb(color)), line_style(width, pattern), *line]
+        if pattern == SOLID:
+            parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY),
+                                      line_style(width + _HALO_WIDTH), *line))
+        self.node = separator(*parts)
+        self.move(points)
+
+    def move(self, points):
+        """Leads through other (n, 3) points."""
+        points = [tuple(map(float, point)) for point in points]
+        self._coordinates.point.setNum(len(points))
+        self._coordinates.point.setValues(0, len(points), points)
+        self._lines.numVertices.setValue(len(points))
 
 
 def colored_polyline(points, color, width, pattern=SOLID):
-    """A line of `width` pixels; a solid one has a pale rim, which lifts it off the model."""
-    line = polyline(points)
-    parts = [*flat_color(rgb(color)), line_style(width, pattern), *line]
-    if pattern == SOLID:
-        halo = separator(*flat_color(_HALO, _HALO_TRANSPARENCY), line_style(width + _HALO_WIDTH),
-                         *line)
-        parts.insert(0, halo)
-    return separator(*parts)
+    """A Polyline that stays as it is."""
+    return Polyline(points, color, width, pattern).node
 
 
 def arrow_head(tip, direction, color, length, radius):

@@ -13,6 +13,9 @@ from osculate.gui.qt import QtGui
 _SCALER = coin.SoScale()
 
 
+#: Sine of the angle to the line of sight below which a direction has no side on the screen.
+_END_ON = 1e-3
+
 #: What remains of the depth of such children; the rest would reach out of the near and far plane,
 #: which Coin sets close around the model.
 _DEPTH = 1e-3
@@ -28,6 +31,38 @@ def in_pixels(point, *children):
     node = nodes.at(point, scale, *children)
     node.renderCaching = coin.SoSeparator.OFF
     return nodes.without_extent(node)
+
+
+def beside(line, pixels, *children):
+    """Children moved sideways, as they are seen on the screen, from a line.
+
+    `line()` says at each drawing a point, where `pixels` are measured, and the direction; to its
+    left if they are positive.
+    """
+    def move(_data, action):
+        if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+            state = action.getState()
+            offset = sideways(coin.SoViewVolumeElement.get(state), *line(), pixels,
+                              coin.SoViewportRegionElement.get(state).getViewportSizePixels()[1])
+            coin.SoModelMatrixElement.translateBy(state, _SCALER, offset)
+
+    mover = coin.SoCallback()
+    mover.setCallback(move)
+    node = nodes.separator(mover, *children)
+    node.renderCaching = coin.SoSeparator.OFF
+    return node
+
+
+def sideways(volume, point, direction, pixels, height):
+    """The offset in the world that `beside` makes; zero where the direction points at the viewer.
+
+    volume: the camera's SbViewVolume. height: of the viewport, in pixels of the device.
+    """
+    across = coin.SbVec3f(*map(float, direction)).cross(volume.getProjectionDirection())
+    if across.length() < _END_ON:
+        return coin.SbVec3f(0, 0, 0)
+    across.normalize()
+    return across * (pixels * _pixel_size(volume, coin.SbVec3f(*map(float, point)), height))
 
 
 def _scale_to_pixels(_data, action):

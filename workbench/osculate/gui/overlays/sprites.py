@@ -11,6 +11,9 @@ from osculate.gui.qt import Qt, QtCore, QtGui
 _TEXT_COLOR = "#16202b"
 _RING_RADIUS = 7.0
 
+#: The size of a knob, and how far above its point a caption is.
+_KNOB, _CAPTION_UP = 20.0, 22.0
+
 #: A label's distance from its point, its rim, and where the line to the point begins.
 _REACH_RIGHT, _REACH_UP, _MARGIN, _LEAD = 30.0, 58.0, 2.0, 5.0
 
@@ -103,6 +106,44 @@ def tag(text, color):
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
     painter.end()
     return _centred(picture)
+
+
+def knob(text, color, is_filled, is_hot, is_round):
+    """What can be dragged: a disk or a rounded square with a short text, filled or hollow, and
+    larger while it is hot.
+    """
+    size = _KNOB + (6.0 if is_hot else 0.0)
+    picture = _canvas(size + 6.0, size + 6.0)
+    painter = _painter(picture)
+    box = QtCore.QRectF(3.0, 3.0, size, size)
+    radius = size / 2.0 if is_round else size / 5.0
+    for pen, width, brush in (("#ffffff", 5.0, "#ffffff"),
+                              (color, 2.4, color if is_filled else "#ffffff")):
+        painter.setPen(QtGui.QPen(QtGui.QColor(pen), width))
+        painter.setBrush(QtGui.QColor(brush))
+        painter.drawRoundedRect(box, radius, radius)
+    font = painter.font()
+    font.setPixelSize(13)
+    font.setBold(True)
+    _draw_text(painter, box, text, font, "#ffffff" if is_filled else color)
+    painter.end()
+    return _centred(picture)
+
+
+def caption(text, color, points):
+    """A line of text in a white field with a rim, above its point."""
+    font, _ = _label_fonts(points)
+    metrics = QtGui.QFontMetricsF(font)
+    width, height = metrics.horizontalAdvance(text) + 14.0, metrics.height() + 6.0
+    picture = _canvas(width + 4.0, height + _CAPTION_UP)
+    painter = _painter(picture)
+    box = QtCore.QRectF(2.0, 2.0, width, height)
+    painter.setPen(QtGui.QPen(QtGui.QColor(color), 1.6))
+    painter.setBrush(QtGui.QColor("#ffffff"))
+    painter.drawRoundedRect(box, 5.0, 5.0)
+    _draw_text(painter, box, text, font, _TEXT_COLOR)
+    painter.end()
+    return _image_node(picture, coin.SoImage.CENTER, coin.SoImage.BOTTOM)
 
 
 def callout(name, text, color, points, corner):

@@ -11,17 +11,22 @@ class Message(QtWidgets.QLabel):
 
     def __init__(self):
         super().__init__()
+        self._style = None
         self.setWordWrap(True)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.hide()
 
     def say(self, text, style="hint"):
-        color = _STYLES[style]
-        self.setStyleSheet(f"QLabel {{ border-left: 4px solid {color}; padding: 4px 6px;"
-                           f" background: {_with_alpha(color, 30)}; }}")
+        self._take_style(style)
         self.setText(text)
         self.setVisible(bool(text))
+
+    def _take_style(self, style):
+        if style != self._style:  # a style sheet costs more than a text
+            self._style, color = style, _STYLES[style]
+            self.setStyleSheet(f"QLabel {{ border-left: 4px solid {color}; padding: 4px 6px;"
+                               f" background: {_with_alpha(color, 30)}; }}")
 
 
 def _with_alpha(color, alpha):

@@ -2,12 +2,13 @@
 
 import math
 
+from osculate.gui.panel.quiet import QuietWheel
 from osculate.gui.qt import Qt, QtGui, QtWidgets
 
 _DIGITS = 15  # behind the point, of what is kept; what is shown is up to textFromValue
 
 
-class NumberSpinBox(QtWidgets.QDoubleSpinBox):
+class NumberSpinBox(QuietWheel, QtWidgets.QDoubleSpinBox):
     """A number of up to 6 significant digits; a step is a twentieth to a half of a tenth power."""
 
     def __init__(self, suffix="", least=-1e9, most=1e9):
@@ -16,6 +17,7 @@ class NumberSpinBox(QtWidgets.QDoubleSpinBox):
         self.setDecimals(_DIGITS)
         self.setRange(least, most)
         self.setKeyboardTracking(False)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def is_allowed(self, value):
         """Whether a finite number is within the range."""

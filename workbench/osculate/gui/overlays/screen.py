@@ -1,0 +1,52 @@
+"""Between the model and the pixels of one 3D view."""
+
+import math
+
+from pivy import coin
+
+from osculate.gui.overlays.pixel_scale import sideways
+
+#: Sine of the angle to the line of sight below which nothing can be dragged along a line.
+_END_ON = 0.05
+
+
+class Screen:
+    """What a view shows at the moment. Pixels are those of the device, from the lower left."""
+
+    def __init__(self, view):
+        self._width, self._height = view.getSize()
+        self._volume = view.getCameraNode().getViewVolume(self._width / self._height)
+        self._matrix = self._volume.getMatrix()  # to -1 .. 1 in width, height and depth
+
+    def pixel_of(self, point):
+        """(x, y) of a point of the model."""
+        x, y, _ = self._matrix.multVecMatrix(_vector(point)).getValue()
+        return (x + 1.0) / 2.0 * self._width, (y + 1.0) / 2.0 * self._height
+
+    def beside(self, point, direction, pixels):
+        """The point of the model that pixel_scale.beside moves a point to."""
+        return tuple(_vector(point) + sideways(self._volume, point, direction, pixels,
+                                               self._height))
+
+    def along(self, origin, direction, pixel):
+        """How far from `origin` on a line the model is seen under a pixel, in mm.
+
+        None where the line points at the viewer, or is behind.
+        """
+        x, y = (2.0 * place / size - 1.0 for place, size in zip(pixel, (self._width, self._height)))
+        to_model = self._matrix.inverse()
+        near, far = (to_model.multVecMatrix(coin.SbVec3f(x, y, depth)) for depth in (-1.0, 1.0))
+        sight = far - near
+        sight.normalize()
+        direction = _vector(direction)
+        cosine = sight.dot(direction)
+        if 1.0 - cosine * cosine < _END_ON ** 2:
+            return None
+        # The point of the line that is nearest to the line of sight.
+        between = near - _vector(origin)
+        distance = (between.dot(direction) - cosine * between.dot(sight)) / (1.0 - cosine * cosine)
+        return distance if math.isfinite(distance) else None
+
+
+def _vector(point):
+    return coin.SbVec3f(*map(float, point))
