@@ -5,6 +5,7 @@ import FreeCADGui
 
 import samples
 from gui_case import GuiCase
+from osculate.gui import colors
 from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.qt import QtWidgets
 
@@ -59,6 +60,9 @@ class StartTest(BlendCase):
         self.select((self.first, "Edge1"))
         self.assertTrue(form.ends[1].edge.pick.isChecked())
         self.assertEqual(self.names(), ["Left", "Right"])
+        image = self.image("blend_first_picked")
+        self.assertGreater(self.count_pixels(image, colors.SIDES[0]), 200)
+        self.assertEqual(FreeCADGui.Selection.getSelectionEx(), [])
         self.select((self.second, "Edge1"))
         self.assertEqual(self.doc.BlendCurve.Status, "OK")
         self.assertEqual(FreeCADGui.Selection.getSelectionEx(), [])
@@ -68,6 +72,13 @@ class StartTest(BlendCase):
         self.select((self.first, "Edge1"))
         self.assertEqual(self.doc.BlendCurve.First[0].Name, "Right")
         self.assertEqual(form.ends[1].edge.name.text(), "Left.Edge1")
+
+    def test_the_same_edge_twice_is_closed(self):
+        self.blend()
+        self.select((self.first, "Edge1"))
+        self.select((self.first, "Edge1"))
+        obj = self.doc.BlendCurve
+        self.assertEqual((obj.Status, obj.EndsMade), ("OK", "end-start"))
 
     def test_faces_and_too_many_edges_are_refused(self):
         box = self.doc.addObject("Part::Box", "Box")

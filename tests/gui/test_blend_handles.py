@@ -209,7 +209,7 @@ class LookTest(HandleCase):
         for name, background in (("light", LIGHT), ("dark", DARK)):
             self.set_background(background)
             image = self.image(f"handles_{name}")
-            for color in colors.SIDES:
+            for color in (*colors.SIDES, colors.MADE):
                 self.assertGreater(self.count_pixels(image, color), 150)
 
     def test_closing_leaves_no_trace(self):

@@ -3,6 +3,9 @@
 #: The two sides of a join: arriving and leaving.
 SIDES = ("#e8860c", "#a24bd8")
 
+#: What is constructed from them.
+MADE = "#2f9e44"
+
 #: Tangent, normal, binormal.
 FRAME = ("#e5484d", "#2f9e44", "#3b82f6")
 

@@ -6,6 +6,8 @@ from osculate.features.constructed import refuse_loop
 from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.gui import preferences
 from osculate.gui.construct.edge_choice import EdgeChoice
+from osculate.gui.construct.handle_set import HandleSet
+from osculate.gui.construct.marks import CurveMark, edge_marks, join_marks, state_of
 from osculate.gui.construct.session import Session
 from osculate.gui.construct.step_keys import StepKeys
 from osculate.gui.observers import ModelObserver, SelectionObserver
@@ -28,8 +30,12 @@ class ConstructPanel:
         self._keeps = True
         self.preferences = preferences.load()
         self.edges = EdgeChoice(self.edge_count)
+        self._joins_marked, self._join_marks = None, ()
+        self._curve_mark = CurveMark()
+        self._last_result = None  # that the handles are of
         title = (translate("Osculate", "Edit {}").format(obj.Label) if obj else self.title())
         self.session = Session(document, title, obj)
+        self.handles = HandleSet(self.preferences.label_points)
         self.form = self.make_form()
         self.form.panel = self  # as long as there is a form, there is a panel
         self._observers = [ModelObserver(self._model_changed, self._document_closed,
@@ -39,6 +45,7 @@ class ConstructPanel:
         self._connect()
         if obj is not None:
             self._take_links_of(obj)
+        self._mark_edges()
         self.show()
 
     # What a subclass does
@@ -59,11 +66,17 @@ class ConstructPanel:
         """A sentence that asks for edges."""
         raise NotImplementedError
 
-    def show_overlay(self):
-        """Draws into the 3D view what belongs to the object as it is."""
+    def handles_of(self, _obj, _result):
+        """The Handles of the object and its construction."""
+        return []
 
-    def remove_overlay(self, document_closes):
-        """Takes it out again."""
+    def dragged(self, _obj, _result, key, distance):
+        """The properties that a handle at a distance asks for, as a dict."""
+        raise NotImplementedError
+
+    def freed(self, key):
+        """The properties when a handle was double-clicked: what it stands for is chosen again."""
+        raise NotImplementedError
 
     # Edges
 
@@ -103,7 +116,8 @@ class ConstructPanel:
                 self.session.create(self.make_object, **settings)
             else:
                 self.session.do(**settings)
-            FreeCADGui.Selection.clearSelection()  # its colour would hide that of the curves
+        FreeCADGui.Selection.clearSelection()  # its colour would hide that of the marks
+        self._mark_edges()
         self.show()
 
     def _take_links_of(self, obj):
@@ -128,6 +142,10 @@ class ConstructPanel:
         form.edge_awaited.connect(self._await_edge)
         form.back.clicked.connect(self.session.back)
         form.forward.clicked.connect(self.session.forward)
+        self.handles.moved.connect(self._dragged)
+        self.handles.let_loose.connect(self.session.settle)
+        self.handles.taken_back.connect(self.session.give_up)
+        self.handles.doubled.connect(lambda key: self.session.do(**self.freed(key)))
         form.destroyed.connect(self._form_destroyed)  # FreeCAD may close a dialog without asking
 
     def _edited(self, settings, is_settled):
@@ -135,10 +153,16 @@ class ConstructPanel:
         if is_settled:
             self.session.settle()
 
+    def _dragged(self, key, distance):
+        obj = self.session.obj
+        if obj is not None and self._last_result is not None:
+            self.session.set(**self.dragged(obj, self._last_result, key, distance))
+
     def _model_changed(self):
         if self.session.was_made and self.session.obj is None:
             self.reject()  # undo or another command took the object away
         else:
+            self._mark_edges()
             self.session.follow_model()
 
     def show(self):
@@ -151,7 +175,27 @@ class ConstructPanel:
             form.show_object(session.obj, session.result)
             form.show_outcome(session.result, session.error, session.energies)
         self._advise()
-        self.show_overlay()
+        self._draw()
+
+    def _draw(self):
+        obj, result = self.session.obj, self.session.result
+        if result is None and self.handles.is_dragging:
+            return  # the way back from where nothing can be made
+        self._last_result = result
+        handles = self.handles_of(obj, result) if result is not None else []
+        self._mark_joins(result.reports if result is not None else ())
+        self._curve_mark.show(result.curve if result is not None else None)
+        self.handles.show(self.session.document_name, handles, *self._edge_marks,
+                          self._curve_mark.node, *self._join_marks)
+
+    def _mark_edges(self):
+        self._edge_marks = edge_marks(self.edges.links, self.preferences.side_colors)
+
+    def _mark_joins(self, reports):
+        state = state_of(reports)
+        if state != self._joins_marked:  # while a handle is dragged they stay
+            self._joins_marked = state
+            self._join_marks = join_marks(reports, self.preferences)
 
     # The end
 
@@ -203,7 +247,7 @@ class ConstructPanel:
         for observer in observers:
             observer.stop()
         if observers:
-            self.remove_overlay(document_closes)
+            self.handles.remove(document_closes)
         return bool(observers)
 
     # What FreeCAD asks of a task panel:

@@ -60,7 +60,7 @@ class Polyline:
         points = [tuple(map(float, point)) for point in points]
         self._coordinates.point.setNum(len(points))
         self._coordinates.point.setValues(0, len(points), points)
-        self._lines.numVertices.setValue(len(points))
+        self._lines.numVertices.setValue(len(points))  # of 0 points Coin draws nothing
 
 
 def colored_polyline(points, color, width, pattern=SOLID):
