@@ -15,6 +15,7 @@ import Part
 
 from osculate.features import make_join_check
 from osculate.gui import preferences, resources
+from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.panel.panel_form import PanelForm
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.qt import QtCore, QtGui, QtWidgets
@@ -40,6 +41,8 @@ def main():
     draw_definitions()
     draw_list()
     draw_overlay()
+    draw_blend()
+    draw_handles()
     draw_preferences()
 
 
@@ -126,6 +129,60 @@ def draw_overlay():
     FreeCAD.closeDocument(document.Name)
 
 
+def draw_blend():
+    """blend.png: two edges, their blend, the panel and the handles."""
+    document = open_blend_ends()
+    look(document, "viewIsometric", 1.0)
+    form = blend(document)
+    form.ends[0].order.buttons[2].click()
+    form.ends[0].numbers[0].box.setValue(0.85)
+    pump()
+    grab("blend")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_handles():
+    """handles.png: a close look at the handles while the mouse is at one, on dark."""
+    document = open_blend_ends()
+    set_background(DARK)
+    form = blend(document)
+    form.ends[0].numbers[0].lock.click()
+    form.panel.handles.hot = ("First", 1)
+    form.panel.show()
+    look(document, "viewTop", 1.7)
+    FreeCADGui.getDocument(document.Name).ActiveView.saveImage(
+        os.path.join(FOLDER, "handles.png"), 900, 420, "Current")
+    FreeCADGui.Control.closeDialog()
+    set_background(LIGHT)
+    FreeCAD.closeDocument(document.Name)
+
+
+def open_blend_ends():
+    """Two curves in space with a gap between them."""
+    document = FreeCAD.newDocument("Gap")
+    for name, poles in (("Left", ((0, 0, 0), (30, 0, 0), (60, 10, 0), (80, 35, 5))),
+                        ("Right", ((150, 60, 20), (175, 55, 30), (200, 35, 30), (215, 0, 15)))):
+        curve = Part.BezierCurve()
+        curve.setPoles([V(*pole) for pole in poles])
+        document.addObject("Part::Feature", name).Shape = curve.toShape()
+    document.recompute()
+    for obj in document.Objects:
+        obj.ViewObject.LineWidth = 3.0
+        obj.ViewObject.LineColor = INK
+    return document
+
+
+def blend(document):
+    """The command on the two objects of a document; returns the panel's form."""
+    FreeCADGui.Selection.clearSelection()
+    for name in ("Left", "Right"):
+        FreeCADGui.Selection.addSelection(document.Name, name, "Edge1")
+    FreeCADGui.runCommand("Osculate_Blend")
+    pump()
+    return find_form(BlendForm)
+
+
 def draw_preferences():
     """preferences.png: the page of the preferences."""
     page = PreferencesPage()
@@ -161,8 +218,13 @@ def analyze(document, *targets):
     pump()
     FreeCADGui.Selection.clearSelection()  # its green would hide the model's colours
     pump()
+    return find_form(PanelForm)
+
+
+def find_form(kind):
+    """The form of a class that is open."""
     return next(widget for widget in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget)
-                if isinstance(widget, PanelForm))
+                if isinstance(widget, kind))
 
 
 def look(document, view_name, magnified=1.0):

@@ -5,7 +5,6 @@
     <name>App::Property</name>
     <message>
         <source>The edge that arrives at the join</source>
-        <extracomment>Links into any App::Part. Not PropertyXLinkSub: FreeCAD 1.0 crashes where its creation is undone.</extracomment>
         <translation>Die Kante, die am Übergang ankommt</translation>
     </message>
     <message>
@@ -129,12 +128,111 @@
         <source>Difference of the rates of curvature by arc length, 1/mm²</source>
         <translation>Differenz der Krümmungsänderungen nach der Bogenlänge, 1/mm²</translation>
     </message>
+    <message>
+        <source>The derivative of arc length of this order at the end, by the parameter, as a share of the chord; β1 is the speed</source>
+        <extracomment>(N, K+1): bounds of the errors of the residuals</extracomment>
+        <translation>Die Ableitung dieser Ordnung der Bogenlänge nach dem Parameter am Ende, als Anteil der Sehne; β1 ist die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Whether the number is given; else it is chosen at each recompute</source>
+        <translation>Ob die Zahl vorgegeben ist; sonst wird sie bei jeder Neuberechnung gewählt</translation>
+    </message>
+    <message>
+        <source>The edge that the blend leaves</source>
+        <extracomment>as stored -&gt; as osculate takes it</extracomment>
+        <translation>Die Kante, von der die Überblendung ausgeht</translation>
+    </message>
+    <message>
+        <source>Where the blend leaves the first edge</source>
+        <translation>Wo die Überblendung die erste Kante verlässt</translation>
+    </message>
+    <message>
+        <source>The place inside the first edge, as a share of its length</source>
+        <translation>Die Stelle auf der ersten Kante, als Anteil ihrer Länge</translation>
+    </message>
+    <message>
+        <source>The edge at which the blend arrives</source>
+        <translation>Die Kante, an der die Überblendung ankommt</translation>
+    </message>
+    <message>
+        <source>Where the blend arrives at the second edge</source>
+        <translation>Wo die Überblendung an der zweiten Kante ankommt</translation>
+    </message>
+    <message>
+        <source>The place inside the second edge, as a share of its length</source>
+        <translation>Die Stelle auf der zweiten Kante, als Anteil ihrer Länge</translation>
+    </message>
+    <message>
+        <source>Order of contact with the first edge, 0 to 8</source>
+        <translation>Ordnung der Berührung mit der ersten Kante, 0 bis 8</translation>
+    </message>
+    <message>
+        <source>Order of contact with the second edge, 0 to 8</source>
+        <translation>Ordnung der Berührung mit der zweiten Kante, 0 bis 8</translation>
+    </message>
+    <message>
+        <source>The degree; 0 for the least that the orders need, their sum and 1</source>
+        <translation>Der Grad; 0 für den kleinsten, den die Ordnungen brauchen: ihre Summe und 1</translation>
+    </message>
+    <message>
+        <source>What chooses the free numbers: least variation of curvature, least bending, or none (speed 1, the others 0)</source>
+        <translation>Was die freien Zahlen wählt: kleinste Änderung der Krümmung, kleinste Biegung oder nichts (Geschwindigkeit 1, die anderen 0)</translation>
+    </message>
+    <message>
+        <source>Whether chosen numbers are equal at both ends</source>
+        <translation>Ob gewählte Zahlen an beiden Enden gleich sind</translation>
+    </message>
+    <message>
+        <source>Where the blend leaves both edges, the nearest ends being found</source>
+        <translation>Wo die Überblendung beide Kanten verlässt, nachdem die nächsten Enden gefunden sind</translation>
+    </message>
+    <message>
+        <source>OK, or why there is no new result</source>
+        <extracomment>What a construction raises where it cannot be made; the message is a sentence for the user.</extracomment>
+        <translation>OK, oder warum es kein neues Ergebnis gibt</translation>
+    </message>
+    <message>
+        <source>G0 to G8, or gap, of each join that was made</source>
+        <translation>G0 bis G8 oder gap (Lücke) für jeden Übergang, der entstand</translation>
+    </message>
+    <message>
+        <source>Order of geometric continuity of each join, -1 for a gap</source>
+        <translation>Ordnung der geometrischen Stetigkeit jedes Übergangs, -1 für eine Lücke</translation>
+    </message>
+    <message>
+        <source>What is not as it should be, in sentences</source>
+        <translation>Was nicht ist, wie es sein sollte, in Sätzen</translation>
+    </message>
+    <message>
+        <source>The degree of the curve</source>
+        <translation>Der Grad der Kurve</translation>
+    </message>
+    <message>
+        <source>The length of the curve</source>
+        <translation>Die Länge der Kurve</translation>
+    </message>
+    <message>
+        <source>Bending energy, length times the integral of curvature squared</source>
+        <translation>Biegeenergie: Länge mal Integral der quadrierten Krümmung</translation>
+    </message>
+    <message>
+        <source>Variation of curvature: length cubed times the integral of the square of the rate of the curvature vector</source>
+        <translation>Änderung der Krümmung: dritte Potenz der Länge mal Integral der quadrierten Änderung des Krümmungsvektors</translation>
+    </message>
+    <message>
+        <source>Unevenness of the parameter&apos;s speed, 0 for an even one</source>
+        <translation>Ungleichmäßigkeit der Parametergeschwindigkeit, 0 für eine gleichmäßige</translation>
+    </message>
+    <message>
+        <source>The reports of the joins as a JSON list, schema osculate.join/1</source>
+        <translation>Die Berichte der Übergänge als JSON-Liste, Schema osculate.join/1</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
     <message>
         <source>No edge is linked (its object was deleted?).</source>
-        <extracomment>(N, K+1): bounds of the errors of the residuals</extracomment>
+        <extracomment>The same departure, taken the other way.</extracomment>
         <translation>Es ist keine Kante verknüpft (wurde ihr Objekt gelöscht?).</translation>
     </message>
     <message>
@@ -244,6 +342,7 @@
     </message>
     <message>
         <source>Edit {}</source>
+        <extracomment>the properties that link to them</extracomment>
         <translation>{} bearbeiten</translation>
     </message>
     <message>
@@ -391,6 +490,7 @@
     </message>
     <message>
         <source>Select two edges that meet (Ctrl adds the second), the vertex between them, or a whole wire or sketch.</source>
+        <extracomment>Proxy class of a document object -&gt; module and class of its view, loaded when it is used.</extracomment>
         <translation>Zwei Kanten auswählen, die sich treffen (die zweite mit Strg), den Punkt zwischen ihnen oder einen ganzen Kantenzug oder eine Skizze.</translation>
     </message>
     <message>
@@ -446,6 +546,202 @@
     <message>
         <source>Select two edges.</source>
         <translation>Zwei Kanten auswählen.</translation>
+    </message>
+    <message>
+        <source>{} depends on {}, which therefore cannot use its edges.</source>
+        <extracomment>why it failed</extracomment>
+        <translation>{} hängt von {} ab, das deshalb seine Kanten nicht verwenden kann.</translation>
+    </message>
+    <message>
+        <source>Fixed: click to let it be chosen</source>
+        <extracomment>as it is shown</extracomment>
+        <translation>Fest: Klicken lässt sie wählen</translation>
+    </message>
+    <message>
+        <source>Chosen by fairness: click to fix it as it is</source>
+        <translation>Nach Glätte gewählt: Klicken hält sie fest, wie sie ist</translation>
+    </message>
+    <message>
+        <source>The speed at this end, as a share of the chord; it has a handle in the 3D view</source>
+        <translation>Die Geschwindigkeit an diesem Ende, als Anteil der Sehne; sie hat einen Griff in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The change of speed at this end, as a share of the chord; it has a handle in the 3D view</source>
+        <translation>Die Änderung der Geschwindigkeit an diesem Ende, als Anteil der Sehne; sie hat einen Griff in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The derivative of order {} of arc length at this end, as a share of the chord</source>
+        <translation>Die Ableitung der Ordnung {} der Bogenlänge an diesem Ende, als Anteil der Sehne</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <extracomment>Neither depends on the order, the degree or the other, so that a handle stays where it is put.</extracomment>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Symmetrisch</translation>
+    </message>
+    <message>
+        <source>Chosen numbers are equal at both ends</source>
+        <translation>Gewählte Zahlen sind an beiden Enden gleich</translation>
+    </message>
+    <message>
+        <source>Fair</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Let all numbers be chosen: the fairest curve</source>
+        <translation>Alle Zahlen wählen lassen: die glatteste Kurve</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>At least {}, what the orders need; further poles make the curve fairer</source>
+        <translation>Mindestens {}, was die Ordnungen brauchen; weitere Pole machen die Kurve glatter</translation>
+    </message>
+    <message>
+        <source>Even curvature</source>
+        <translation>Gleichmäßige Krümmung</translation>
+    </message>
+    <message>
+        <source>Least bending</source>
+        <translation>Kleinste Biegung</translation>
+    </message>
+    <message>
+        <source>Nothing chosen</source>
+        <translation>Nichts gewählt</translation>
+    </message>
+    <message>
+        <source>Select the two edges that the curve is to connect; the same edge twice closes it.</source>
+        <translation>Wählen Sie die zwei Kanten, die die Kurve verbinden soll; zweimal dieselbe Kante wird geschlossen.</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <extracomment>index of the edge that the next click gives, None: no edge</extracomment>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take the step again</source>
+        <translation>Den Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>These are {} edges.</source>
+        <translation>Das sind {} Kanten.</translation>
+    </message>
+    <message>
+        <source>The edges must be in one document, {}.</source>
+        <translation>Die Kanten müssen in einem Dokument liegen, {}.</translation>
+    </message>
+    <message>
+        <source>There is nothing to keep yet: mend what is wrong, or Cancel.</source>
+        <translation>Es gibt noch nichts zu behalten: beheben Sie, was nicht stimmt, oder brechen Sie ab.</translation>
+    </message>
+    <message>
+        <source>Take the other end, or the other direction</source>
+        <extracomment>of departure.CHOICES</extracomment>
+        <translation>Das andere Ende nehmen, oder die andere Richtung</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>The end that lies nearest</source>
+        <translation>Das Ende, das am nächsten liegt</translation>
+    </message>
+    <message>
+        <source>The start of the edge</source>
+        <translation>Der Anfang der Kante</translation>
+    </message>
+    <message>
+        <source>The end of the edge</source>
+        <translation>Das Ende der Kante</translation>
+    </message>
+    <message>
+        <source>Inside, along the edge</source>
+        <translation>Innen, entlang der Kante</translation>
+    </message>
+    <message>
+        <source>Inside, against the edge</source>
+        <translation>Innen, gegen die Kante</translation>
+    </message>
+    <message>
+        <source>Pick an edge in the 3D view or in the tree</source>
+        <translation>Eine Kante in der 3D-Ansicht oder im Baum wählen</translation>
+    </message>
+    <message>
+        <source>pick an edge</source>
+        <translation>Kante wählen</translation>
+    </message>
+    <message>
+        <source>no edge</source>
+        <translation>keine Kante</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <extracomment>as ConstructForm.edited</extracomment>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>variation of curvature</source>
+        <translation>Krümmungsänderung</translation>
+    </message>
+    <message>
+        <source>bending</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>unevenness</source>
+        <translation>Ungleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Deviations at the joins</source>
+        <extracomment>(key, distance from the mouse to the knob) of the dragged one</extracomment>
+        <translation>Abweichungen an den Übergängen</translation>
+    </message>
+    <message>
+        <source>Higher orders</source>
+        <translation>Höhere Ordnungen</translation>
+    </message>
+    <message>
+        <source>Meets the edge</source>
+        <translation>Trifft die Kante</translation>
+    </message>
+    <message>
+        <source>Has its tangent</source>
+        <translation>Hat ihre Tangente</translation>
+    </message>
+    <message>
+        <source>Has its curvature</source>
+        <translation>Hat ihre Krümmung</translation>
+    </message>
+    <message>
+        <source>Has its rate of curvature and torsion</source>
+        <translation>Hat ihre Krümmungsänderung und Torsion</translation>
+    </message>
+    <message>
+        <source>Has its second rate of curvature and rate of torsion</source>
+        <translation>Hat ihre zweite Krümmungsänderung und Torsionsänderung</translation>
+    </message>
+    <message>
+        <source>Place on the edge</source>
+        <extracomment>the slider was let go</extracomment>
+        <translation>Stelle auf der Kante</translation>
     </message>
 </context>
 <context>
@@ -519,6 +815,19 @@
 Select two edges, the vertex between them, or a whole wire or sketch.</source>
         <translation>Zeigt, welche Stetigkeit G0 bis G4 zwei Kanten haben, wo sie sich treffen, und um wie viel jede Ordnung verfehlt wird.
 Zwei Kanten auswählen, den Punkt zwischen ihnen oder einen ganzen Kantenzug oder eine Skizze.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_Blend</name>
+    <message>
+        <source>Blend</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>Connects two edges by a curve that meets each with its own order of continuity, G0 to G4.
+Select two edges, or click first and select then.</source>
+        <translation>Verbindet zwei Kanten durch eine Kurve, die jede mit einer eigenen Ordnung der Stetigkeit trifft, G0 bis G4.
+Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
     </message>
 </context>
 <context>

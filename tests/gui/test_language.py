@@ -4,6 +4,7 @@ import FreeCADGui
 
 import samples
 from gui_case import GuiCase
+from osculate.gui.construct.blend_form import BlendForm
 
 
 class GermanTest(GuiCase):
@@ -25,3 +26,19 @@ class GermanTest(GuiCase):
         action = FreeCADGui.Command.get("Osculate_AnalyzeJoin").getAction()[0]
         self.assertEqual(action.text(), "Übergang untersuchen")
         self.screenshot("german")
+
+
+class GermanBlendTest(GermanTest):
+    form_type = BlendForm
+
+    def test_panel_and_command(self):
+        first, second = samples.blend_ends(self.doc)
+        self.select((first, "Edge1"), (second, "Edge1"))
+        FreeCADGui.runCommand("Osculate_Blend")
+        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
+        self.pump()
+        self.assertEqual(self.form().windowTitle(), "Überblenden")
+        self.assertEqual(self.form().fair.text(), "Glätten")
+        self.assertIn("Krümmungsänderung", self.form().energies.text())
+        self.screenshot("german_blend")
+        self.assertLessEqual(self.form().minimumSizeHint().width(), 340)  # or it would be cut

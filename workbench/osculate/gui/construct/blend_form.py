@@ -28,14 +28,13 @@ class BlendForm(ConstructForm):
             end.edge.pick_toggled.connect(
                 lambda is_on, index=index: self.edge_awaited.emit(index if is_on else None))
         self._make_choices()
-        self.choices = self._choices_row()
-        return (*self.ends, self.choices, self.fair)
+        self.choices = self._choices_grid()
+        return (*self.ends, self.choices)
 
     def show_parts(self, has_object):
         for end in self.ends:
             end.show_parts(has_object)
         self.choices.setVisible(has_object)
-        self.fair.setVisible(has_object)
 
     def _make_choices(self):
         self.degree = SpinBox()
@@ -54,15 +53,17 @@ class BlendForm(ConstructForm):
         self.fair.setToolTip(translate("Osculate", "Let all numbers be chosen: the fairest curve"))
         self.fair.clicked.connect(self._make_fair)
 
-    def _choices_row(self):
-        row = QtWidgets.QWidget()
-        layout = QtWidgets.QHBoxLayout(row)
+    def _choices_grid(self):
+        grid = QtWidgets.QWidget()
+        layout = QtWidgets.QGridLayout(grid)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(QtWidgets.QLabel(translate("Osculate", "Degree")))
-        layout.addWidget(self.degree)
-        layout.addWidget(self.fairness, 1)
-        layout.addWidget(self.symmetric)
-        return row
+        layout.addWidget(QtWidgets.QLabel(translate("Osculate", "Degree")), 0, 0)
+        layout.addWidget(self.degree, 0, 1)
+        layout.addWidget(self.fairness, 0, 2)
+        layout.addWidget(self.symmetric, 1, 0, 1, 2)
+        layout.addWidget(self.fair, 1, 2)
+        layout.setColumnStretch(2, 1)
+        return grid
 
     def show_edges(self, choice):
         for index, (end, link) in enumerate(zip(self.ends, choice.links)):

@@ -124,14 +124,20 @@ class HandleSet(QtCore.QObject):
                 self._drawn = None  # into the new view, too
 
     def _draw(self):
-        """Moves what is drawn, or draws anew where there are other handles or extras."""
-        kind = (self._document, [(handle.key, handle.color) for handle in self._handles],
-                self._extras)
+        """Moves what is drawn, or draws anew where there are other handles or extras.
+
+        The hot handle is drawn last, over the others.
+        """
+        kind = (self._document, self.hot, self._extras,
+                [(handle.key, handle.color) for handle in self._handles])
         if kind != self._drawn:
             self._drawn = kind
             self._nodes = {handle.key: HandleNode(handle, self._text_points)
-                           for handle in self._handles}
+                           for handle in sorted(self._handles, key=self._is_hot)}
             self._overlay.show(self._document, nodes.untouchable(
                 *self._extras, *(node.node for node in self._nodes.values())))
         for handle in self._handles:
-            self._nodes[handle.key].show(handle, handle.key == self.hot)
+            self._nodes[handle.key].show(handle, self._is_hot(handle))
+
+    def _is_hot(self, handle):
+        return handle.key == self.hot

@@ -39,8 +39,10 @@ class SpinBox(QuietWheel, QtWidgets.QSpinBox):
 
 
 class ComboBox(QuietWheel, QtWidgets.QComboBox):
-    """A choice."""
+    """A choice; where the panel is narrow its texts are cut, not the panel."""
 
     def __init__(self):
         super().__init__()
+        self.setSizeAdjustPolicy(self.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(10)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
