@@ -150,32 +150,17 @@ double deviation(const SplineNet& net, const Shortened& after, const System& sys
   return (distance + around.farthest * weight) / around.lightest;
 }
 
-void applyPeriodic(const KnotRemoval& removal, SplineNet& net) {
-  const double first = net.flat.front();
-  SplineNet turned = net;
-  turned.flat.clear();
-  turned.poles = removal.poles;
-  const int gone = removal.firstKnot + removal.times;
-  // one period, from the first pole that changed on
+/// The poles of one period; those that change may reach across its beginning.
+std::vector<Eigen::Vector4d> periodicPoles(const KnotRemoval& removal, const SplineNet& net) {
   const int count = net.poleCount() - removal.times;
-  for (int i = turned.poleCount(); i < count; ++i)
-    turned.poles.push_back(net.pole(removal.firstPole + i + removal.times));
+  std::vector<Eigen::Vector4d> poles(static_cast<std::size_t>(count));
+  const int changed = static_cast<int>(removal.poles.size());
   for (int i = 0; i < count; ++i) {
     const int k = removal.firstPole + i;
-    turned.flat.push_back(net.knot(k < removal.firstKnot ? k : k + gone - removal.firstKnot));
+    poles[static_cast<std::size_t>((k % count + count) % count)] =
+        i < changed ? removal.poles[static_cast<std::size_t>(i)] : net.pole(k + removal.times);
   }
-  // back to the beginning it had
-  int begin = 0;
-  while (turned.knot(begin) >= first)
-    --begin;
-  while (turned.knot(begin) < first)
-    ++begin;
-  net.flat.clear();
-  net.poles.clear();
-  for (int i = begin; i < begin + count; ++i) {
-    net.flat.push_back(turned.knot(i));
-    net.poles.push_back(turned.pole(i));
-  }
+  return poles;
 }
 
 }  // namespace
@@ -203,13 +188,16 @@ KnotRemoval proposeRemoval(const SplineNet& net, SplineNet::Occurrence knot, int
 }
 
 void apply(const KnotRemoval& removal, SplineNet& net) {
-  if (net.isPeriodic()) return applyPeriodic(removal, net);
+  if (net.isPeriodic()) {
+    net.poles = periodicPoles(removal, net);
+  } else {
+    const auto pole = net.poles.begin() + removal.firstPole;
+    std::copy(removal.poles.begin(), removal.poles.end(), pole);
+    net.poles.erase(pole + static_cast<std::ptrdiff_t>(removal.poles.size()),
+                    pole + removal.oldPoles);
+  }
   const auto knot = net.flat.begin() + removal.firstKnot;
   net.flat.erase(knot, knot + removal.times);
-  const auto pole = net.poles.begin() + removal.firstPole;
-  std::copy(removal.poles.begin(), removal.poles.end(), pole);
-  net.poles.erase(pole + static_cast<std::ptrdiff_t>(removal.poles.size()),
-                  pole + removal.oldPoles);
 }
 
 }  // namespace osculate

@@ -99,6 +99,16 @@ SplineNet periodicNet(const SplineNet& clamped) {
   return net;
 }
 
+SplineNet openedNet(const SplineNet& periodic) {
+  SplineNet net = periodic;
+  const auto end = static_cast<std::size_t>(net.degree) + 1;
+  net.flat.insert(net.flat.begin(), net.flat.front());
+  net.flat.insert(net.flat.end(), end, periodic.flat.front() + periodic.period);
+  net.poles.insert(net.poles.begin(), net.poles.back());
+  net.period = 0.0;
+  return net;
+}
+
 BSplineCurve curveOf(const SplineNet& net, double poleError) {
   BSplineData data = net.isPeriodic() ? periodicData(net) : openData(net);
   data.poleError = poleError;

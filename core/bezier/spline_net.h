@@ -37,6 +37,8 @@ SplineNet clampedNet(const BSplineCurve& curve);
 /// The periodic net of a clamped one whose first and last pole are equal: the knot at its closing
 /// then has the multiplicity `degree`.
 SplineNet periodicNet(const SplineNet& clamped);
+/// The clamped net of a periodic one whose first knot has the multiplicity `degree`: the inverse.
+SplineNet openedNet(const SplineNet& periodic);
 /// The curve of a net. A periodic one begins at its knot flat[0].
 BSplineCurve curveOf(const SplineNet& net, double poleError = 0.0);
 

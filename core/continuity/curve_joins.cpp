@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace osculate {
 
@@ -55,6 +56,17 @@ CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds
   markApproximated(first, report);
   markApproximated(second, report);
   return {report, arriving, leaving, std::nullopt};
+}
+
+/// The join of two segments of one curve.
+CurveJoin innerJoin(const BSplineCurve& curve, const BezierSegment& before,
+                    const BezierSegment& after, const AnalysisOptions& options) {
+  const double reach = reachFrom(curve, after.curve.pole(0));
+  CurveJoin join{analyzeJoin(sideOf(curve, before, CurveEnd::kEnd, reach),
+                             sideOf(curve, after, CurveEnd::kStart, reach), options),
+                 before, after, after.first};
+  markApproximated(curve, join.report);
+  return join;
 }
 
 }  // namespace
@@ -112,6 +124,24 @@ CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& optio
   return joinAt(curve, curve, {CurveEnd::kEnd, CurveEnd::kStart}, options);
 }
 
+CurveJoin analyzeAt(const BSplineCurve& curve, double parameter, const AnalysisOptions& options) {
+  checkOptions(options);
+  if (!(curve.first() < parameter && parameter < curve.last())) {
+    throw std::invalid_argument("parameter: must be inside (" + std::to_string(curve.first()) +
+                                ", " + std::to_string(curve.last()) + "), got " +
+                                std::to_string(parameter));
+  }
+  const int before = curve.spanAt(parameter, Side::kLeft);
+  const int after = curve.spanAt(parameter, Side::kRight);
+  BezierSegment arriving = curve.segment(before);
+  if (before != after) return innerJoin(curve, arriving, curve.segment(after), options);
+  BezierSegment leaving = arriving;
+  const double share = (parameter - arriving.first) / arriving.length();
+  std::tie(arriving.curve, leaving.curve) = arriving.curve.split(share);
+  arriving.last = leaving.first = parameter;
+  return innerJoin(curve, arriving, leaving, options);
+}
+
 std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const AnalysisOptions& options,
                                          const Progress& progress) {
   checkOptions(options);
@@ -122,12 +152,7 @@ std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const Analys
     if (progress && !progress(static_cast<double>(i) / static_cast<double>(knots.size())))
       return joins;
     const BezierSegment after = curve.segment(knots[i].spanAfter);
-    const double reach = reachFrom(curve, after.curve.pole(0));
-    CurveJoin join{analyzeJoin(sideOf(curve, before, CurveEnd::kEnd, reach),
-                               sideOf(curve, after, CurveEnd::kStart, reach), options),
-                   before, after, knots[i].parameter};
-    markApproximated(curve, join.report);
-    joins.push_back(std::move(join));
+    joins.push_back(innerJoin(curve, before, after, options));
     before = after;
   }
   if (curve.isClosed(options.tolerances.gapMm)) joins.push_back(analyzeClosing(curve, options));

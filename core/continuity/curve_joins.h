@@ -48,6 +48,11 @@ JoinReport reportCurves(const BSplineCurve& first, const BSplineCurve& second,
 /// The closing join of one closed curve (its end against its start).
 CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& options = {});
 
+/// The join at a parameter inside the range: of the segments that meet there at a knot, else of the
+/// two parts of one segment. Throws std::invalid_argument for a parameter outside or at an end.
+CurveJoin analyzeAt(const BSplineCurve& curve, double parameter,
+                    const AnalysisOptions& options = {});
+
 /// Every inner knot, then the closing join if the curve is closed within the gap tolerance.
 /// `progress` gets the share done (0..1); returning false stops, and what was done is returned.
 using Progress = std::function<bool(double)>;

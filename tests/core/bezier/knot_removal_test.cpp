@@ -190,6 +190,21 @@ TEST(KnotRemoval, OfAPeriodicNetLeavesAPoleOutside) {
   EXPECT_EQ(curveOf(net).last(), 2.0);
 }
 
+TEST(KnotRemoval, OfAPeriodicNetKeepsTheBitsOfTheOtherKnots) {
+  Random random(107);
+  const KnotVector knots{{0.1, 0.8, 1.3, 2.1, 2.6, 3.7}, {1, 1, 1, 1, 1, 1}};
+  SplineNet net =
+      periodicNet(clampedNet(BSplineCurve(randomSplineData(random, 3, knots, false, true))));
+  for (const double u : {0.1, 2.6, 1.3}) {
+    const auto found = std::find_if(net.flat.begin(), net.flat.end(),
+                                    [&](double knot) { return std::abs(knot - u) < 1e-9; });
+    const SplineNet::Occurrence knot = net.find(*found);
+    const int times = removableTimes(net, knot, u < 1.0 ? 1 : 0);
+    apply(proposeRemoval(net, knot, times), net);
+  }
+  EXPECT_EQ(net.flat, (std::vector<double>{0.1, 0.8, 2.1}));
+}
+
 TEST(KnotRemoval, AtTheClosingKeepsTheBeginning) {
   Random random(106);
   for (const bool rational : {false, true}) {

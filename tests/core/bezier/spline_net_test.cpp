@@ -38,6 +38,8 @@ TEST(SplineNet, OfAClosedCurveIsPeriodicWithAClosingOfFullMultiplicity) {
     const BSplineCurve curve(sample.data);
     const SplineNet net = periodicNet(clampedNet(curve));
     EXPECT_EQ(net.find(curve.first()).multiplicity, curve.degree());
+    EXPECT_EQ(openedNet(net).flat.size(), net.flat.size() + net.degree + 2U);
+    expectSamePoints(curveOf(openedNet(net)), curve);
     const BSplineCurve again = curveOf(net, 0.5);
     EXPECT_TRUE(again.isPeriodic());
     EXPECT_EQ(again.poleError(), 0.5);

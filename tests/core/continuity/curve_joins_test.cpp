@@ -157,6 +157,39 @@ TEST(AnalyzeInnerJoins, ReportProgressAndStopWhereItSaysSo) {
   EXPECT_EQ(some.size(), 2U) << "what was done is returned";
 }
 
+TEST(AnalyzeAt, AKnotIsTheJoinOfItsSegments) {
+  Random random(91);
+  const KnotVector knots{{0, 1, 2.5, 4, 5}, {6, 2, 3, 5, 6}};
+  const BSplineCurve curve(randomSplineData(random, 5, knots, true));
+  const std::vector<CurveJoin> joins = analyzeInnerJoins(curve);
+  for (std::size_t i = 0; i < joins.size(); ++i) {
+    const CurveJoin join = analyzeAt(curve, knots.knots[i + 1]);
+    EXPECT_EQ(join.report.order, joins[i].report.order);
+    EXPECT_EQ(join.report.residuals, joins[i].report.residuals);
+    EXPECT_EQ(join.report.scaleMm, joins[i].report.scaleMm);
+    EXPECT_EQ(join.parameter, joins[i].parameter);
+  }
+}
+
+TEST(AnalyzeAt, AParameterBetweenKnotsCutsASegment) {
+  Random random(92);
+  const BSplineCurve curve(randomSplineData(random, 4, {{0, 1, 2.5, 4}, {5, 2, 1, 5}}, false));
+  const CurveJoin join = analyzeAt(curve, 1.5);
+  EXPECT_EQ(join.report.order, 4);
+  EXPECT_EQ(join.report.parametricOrder, 4);
+  EXPECT_EQ(join.parameter, 1.5);
+  EXPECT_EQ(join.firstSegment.first, 1.0);
+  EXPECT_EQ(join.firstSegment.last, 1.5);
+  EXPECT_EQ(join.secondSegment.last, 2.5);
+  EXPECT_LE((join.secondSegment.curve.pole(0) - curve.evaluate(1.5)).norm(), 1e-13);
+}
+
+TEST(AnalyzeAt, NamesAParameterThatIsNotInside) {
+  const BSplineCurve curve = lineOf({0, 0, 0}, {10, 0, 0});
+  for (const double bad : {-0.5, 0.0, 1.0, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_ERROR(analyzeAt(curve, bad), "parameter: must be inside (0.0");
+}
+
 TEST(CheckOptions, NamesWhatIsOutOfRange) {
   AnalysisOptions options;
   EXPECT_NO_THROW(checkOptions(options));
