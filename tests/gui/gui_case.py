@@ -11,6 +11,7 @@ import FreeCADGui
 import numpy
 
 from osculate.gui import preferences
+from osculate.gui.canvas import widgets_of
 from osculate.gui.panel.panel_form import PanelForm
 from osculate.gui.qt import Qt, QtCore, QtGui, QtWidgets
 
@@ -115,6 +116,17 @@ class GuiCase(unittest.TestCase):
 
     def view(self):
         return FreeCADGui.getDocument(self.doc.Name).ActiveView
+
+    def click_at(self, point, modifiers=Qt.KeyboardModifier.NoModifier):
+        """Clicks at an edge at a point of the model in the 3D view, as a user does."""
+        view = self.view()
+        _, canvas = widgets_of(view)
+        x, y = view.getPointOnScreen(point)
+        place = QtCore.QPoint(x, canvas.height() - 1 - y)
+        QTest.mouseMove(canvas, place)
+        self.wait_for(lambda: FreeCADGui.Selection.getPreselection().SubElementNames,
+                      "the edge under the mouse")
+        QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, modifiers, place)
 
     @staticmethod
     def set_background(color):

@@ -1,4 +1,4 @@
-"""The command Blend: how its panel begins and ends, and how it edits."""
+"""The command Blend: how its panel begins and ends."""
 
 import FreeCAD
 import FreeCADGui
@@ -66,6 +66,15 @@ class StartTest(BlendCase):
         self.select((self.second, "Edge1"))
         self.assertEqual(self.doc.BlendCurve.Status, "OK")
         self.assertEqual(FreeCADGui.Selection.getSelectionEx(), [])
+
+    def test_edges_are_picked_in_the_3d_view(self):
+        form = self.blend()
+        self.click_at(self.first.Shape.Edges[0].valueAt(0.3))
+        self.wait_for(form.ends[1].edge.pick.isChecked, "the first edge")
+        self.click_at(self.second.Shape.Edges[0].valueAt(0.7))
+        self.wait_for(lambda: self.doc.getObject("BlendCurve"), "the blend")
+        self.assertEqual((self.doc.BlendCurve.First[0], self.doc.BlendCurve.Second[0]),
+                         (self.first, self.second))
 
     def test_one_selected_edge_counts_as_the_first(self):
         form = self.blend((self.second, "Edge1"))
@@ -164,81 +173,3 @@ class EndTest(BlendCase):
         self.assertEqual(self.names(), ["Left", "Right"])
         self.doc.redo()
         self.assertEqual(self.doc.BlendCurve.Status, "OK")
-
-
-class EditTest(BlendCase):
-    def setUp(self):
-        super().setUp()
-        self.blend_both()
-        self.finish("Ok")
-        self.blend_ = self.doc.BlendCurve
-        self.undos = self.doc.UndoCount
-
-    def edit(self):
-        self.blend_.ViewObject.doubleClicked()
-        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
-        self.pump()
-        return self.form()
-
-    def test_ok_keeps_as_one_step(self):
-        form = self.edit()
-        self.click(form.ends[1].order.buttons[2])
-        self.click(form.symmetric)
-        self.finish("Ok")
-        self.assertEqual(self.doc.UndoCount, self.undos + 1)
-        self.assertEqual((self.blend_.SecondOrder, self.blend_.Symmetric), (2, True))
-        self.doc.undo()
-        self.assertEqual((self.blend_.SecondOrder, self.blend_.Symmetric), (3, False))
-
-    def test_cancel_takes_back(self):
-        before = self.blend_.Shape.Length, self.blend_.FirstBeta1
-        form = self.edit()
-        self.type_number(form.ends[0].numbers[0].box, "2.5")
-        self.assertNotEqual(self.blend_.Shape.Length, before[0])
-        self.finish("Cancel")
-        self.assertEqual((self.blend_.Shape.Length, self.blend_.FirstBeta1), before)
-        self.assertFalse(self.blend_.FirstBeta1Fixed)
-        self.assertEqual(self.doc.UndoCount, self.undos)
-        self.assertEqual(self.blend_.State, ["Up-to-date"])
-
-    def test_undo_while_editing_and_going_on(self):
-        form = self.edit()
-        self.click(form.ends[0].order.buttons[2])
-        self.doc.undo()
-        self.pump()
-        self.assertEqual(self.blend_.FirstOrder, 3)
-        self.assertTrue(form.ends[0].order.buttons[3].isChecked())
-        self.click(form.ends[0].order.buttons[1])
-        self.finish("Ok")
-        self.assertEqual(self.blend_.FirstOrder, 1)
-        self.doc.undo()
-        self.assertEqual(self.blend_.FirstOrder, 3)
-
-    def test_other_edges_are_picked_and_loops_refused(self):
-        line, _ = samples.line_and_arc(self.doc)
-        line.Placement.Base.y = 60
-        self.doc.recompute()
-        form = self.edit()
-        self.click(form.ends[0].edge.pick)
-        self.select((self.blend_, "Edge1"))
-        self.assertIn("cannot use its edges", form.advice.text())
-        self.select((line, "Edge1"))
-        self.assertEqual(self.blend_.First[0].Name, line.Name)
-        self.assertFalse(form.advice.isVisible())
-        self.finish("Ok")
-
-    def test_deleted_edge(self):
-        self.doc.removeObject("Right")
-        self.doc.recompute()
-        length = self.blend_.Shape.Length
-        form = self.edit()
-        self.assertIn("deleted", form.trouble.text())
-        self.screenshot("blend_broken")
-        line, _ = samples.line_and_arc(self.doc)
-        line.Placement.Base.y = 60
-        self.doc.recompute()
-        self.select((line, "Edge1"))
-        self.assertEqual(self.blend_.Status, "OK")
-        self.assertNotEqual(self.blend_.Shape.Length, length)
-        self.finish("Ok")
-        self.assertTrue(self.blend_.isValid())

@@ -11,7 +11,7 @@ import samples
 from gui_case import GuiCase, QTest
 from osculate.gui.panel.join_panel import JoinPanel
 from osculate.gui.panel.message import Message
-from osculate.gui.qt import Qt, QtCore, QtWidgets
+from osculate.gui.qt import Qt, QtWidgets
 
 
 class CommandTest(GuiCase):
@@ -34,24 +34,11 @@ class CommandTest(GuiCase):
         form = self.run_command()
         self.assertFalse(form.banner.isVisible())
         self.click_at(line.Shape.Edges[0].valueAt(25.0))
+        self.wait_for(lambda: FreeCADGui.Selection.getSelectionEx(), "a selection")
         self.click_at(arc.Shape.Edges[0].valueAt(-0.4), Qt.KeyboardModifier.ControlModifier)
         self.wait_for(form.banner.isVisible, "the verdict")
         self.assertIn("<b>G1</b>, misses G2 by 100 %", form.banner.text.text())
         self.screenshot("picked_in_3d")
-
-    def click_at(self, point, modifiers=Qt.KeyboardModifier.NoModifier):
-        """Clicks at a point of the model in the 3D view, as a user does."""
-        view = self.view()
-        canvas = next(widget for widget in view.graphicsView().findChildren(QtWidgets.QWidget)
-                      if widget.inherits("QOpenGLWidget") and widget.isVisible())
-        x, y = view.getPointOnScreen(point)
-        place = QtCore.QPoint(x, canvas.height() - 1 - y)
-        count = len(FreeCADGui.Selection.getSelectionEx())
-        QTest.mouseMove(canvas, place)
-        self.wait_for(lambda: FreeCADGui.Selection.getPreselection().SubElementNames,
-                      "the edge under the mouse")
-        QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, modifiers, place)
-        self.wait_for(lambda: len(FreeCADGui.Selection.getSelectionEx()) > count, "a selection")
 
 
 class SelectionTest(GuiCase):

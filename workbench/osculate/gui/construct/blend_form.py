@@ -18,7 +18,7 @@ class BlendForm(ConstructForm):
         self.setObjectName("OsculateBlendPanel")
 
     def content(self):
-        self._degree, self._orders = 0, {}
+        self._degree, self._orders, self._least = 0, {}, 1
         colors = self.preferences.side_colors
         self.ends = [EndBox(side, number, color)
                      for number, (side, color) in enumerate(zip(SIDES, colors), start=1)]
@@ -89,16 +89,16 @@ class BlendForm(ConstructForm):
         """The least degree is shown as a number, and stays the least when orders change."""
         self._degree = obj.Degree
         self._orders = {f"{side}Order": getattr(obj, f"{side}Order") for side in SIDES}
-        least = sum(self._orders.values()) + 1
+        self._least = least = sum(self._orders.values()) + 1
         blocked = self.degree.blockSignals(True)
-        self.degree.setMinimum(least)
+        self.degree.setMinimum(min(least, obj.Degree or least))  # one that is too low is seen
         self.degree.setValue(obj.Degree or least)
         self.degree.blockSignals(blocked)
         self.degree.setToolTip(translate("Osculate", "At least {}, what the orders need; further "
                                                      "poles make the curve fairer").format(least))
 
     def _degree_changed(self, degree):
-        self.edited.emit({"Degree": 0 if degree == self.degree.minimum() else degree}, True)
+        self.edited.emit({"Degree": 0 if degree == self._least else degree}, True)
 
     def _make_fair(self):
         settings = {beta_properties.fixed_name(side, k): False
