@@ -1,4 +1,5 @@
 // osculate.Construction, its error, and the arguments that its makers share.
+#include <algorithm>
 #include <string>
 
 #include "osculate/construction/contact_error.h"
@@ -21,11 +22,12 @@ L^3 int |d(kappa vector)/ds|^2 ds (Moreton and Sequin 1992), 'speed' = int ln^2(
 'objective', what was minimised, by its quadrature, or None: all without dimension. 'length_mm' is L.)";
 
 /// Each keeps the construction alive instead of a copy of itself.
+template <std::vector<CurveJoin> Construction::*kJoins>
 py::tuple reports(const RecordPointer& self) {
-  py::tuple result(self->joins.size());
-  for (std::size_t i = 0; i < self->joins.size(); ++i) {
-    result[i] = std::shared_ptr<CurveJoin>(self, &self->joins[i]);
-  }
+  std::vector<CurveJoin>& joins = (*self).*kJoins;
+  py::tuple result(joins.size());
+  for (std::size_t i = 0; i < joins.size(); ++i)
+    result[i] = std::shared_ptr<CurveJoin>(self, &joins[i]);
   return result;
 }
 
@@ -46,10 +48,18 @@ py::dict energy(ConstructionRecord& self) {
 }
 
 std::string repr(const ConstructionRecord& self) {
+  constexpr std::size_t kMostJoinsTold = 4;
   std::string text = "<osculate.Construction: degree " + std::to_string(self.curve.degree());
+  int lowest = kMaxOrder;
   for (const CurveJoin& join : self.joins) {
     const int order = join.report.order;
-    text += order < 0 ? ", a gap" : ", G" + std::to_string(order);
+    lowest = std::min(lowest, order);
+    if (self.joins.size() <= kMostJoinsTold)
+      text += order < 0 ? ", a gap" : ", G" + std::to_string(order);
+  }
+  if (self.joins.size() > kMostJoinsTold) {
+    text += ", " + std::to_string(self.joins.size()) + " joins, the lowest " +
+            (lowest < 0 ? "a gap" : "G" + std::to_string(lowest));
   }
   if (!self.warnings.empty()) text += ", warnings: " + std::to_string(self.warnings.size());
   return text + ">";
@@ -63,9 +73,12 @@ void bindRecord(py::module_& m) {
       .def_property_readonly(
           "edge", [](const Record& self) { return py::cast(self.curve).attr("to_edge")(); },
           "The curve as a new Part.Edge (in FreeCAD; ImportError elsewhere).")
-      .def_property_readonly("reports", &reports,
-                             "A JoinReport for each join that was made, by the preset `exact`, the "
-                             "first curve's before the second's.")
+      .def_property_readonly("reports", &reports<&Construction::joins>,
+                             "A JoinReport for each join that was made, by the preset `exact`, in "
+                             "the order of travel.")
+      .def_property_readonly("input_reports", &reports<&Construction::inputJoins>,
+                             "Of osculate.join, the same joins as the curves were given; else an "
+                             "empty tuple.")
       .def_property_readonly(
           "beta", &beta,
           "The free numbers ((beta_1, ...), (beta_1, ...)) at the first and the second end, "
@@ -74,7 +87,7 @@ void bindRecord(py::module_& m) {
       .def_property_readonly("energy", &energy, kEnergyDoc)
       .def_property_readonly(
           "warnings", [](const Record& self) { return py::tuple(py::cast(self.warnings)); },
-          "A tuple of sentences: what is cramped, and where rounding keeps a join from its order.")
+          "A tuple of sentences, each begun by a word for its kind, e.g. 'cramped' or 'corner'.")
       .def_property_readonly(
           "max_displacement_mm", [](const Record& self) { return self.maxDisplacementMm; },
           "The largest distance by which a curve was changed; None where none was, as by a blend.")

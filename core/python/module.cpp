@@ -28,6 +28,7 @@ PYBIND11_MODULE(_core, m) {
   python::bindBatch(m);
   python::bindConstruction(m);
   python::bindBlend(m);
+  python::bindJoin(m);
   python::bindFeature(m);
   python::bindOcct(m);
   showAsPublic(m);

@@ -40,3 +40,34 @@ def blend(a, b, *, order=3, ends=None, beta=None, degree=None, fairness="mvc", s
     if ends is None and shapes.are_same(a, b):
         second, ends = first, ("end", "start")  # b may be the same edge reversed
     return _core.blend(first, second, order, ends, beta, degree, fairness, symmetric)
+
+
+def join(curves, *, tolerance=0.0):
+    """One B-spline that runs through the curves of a chain, as a Construction: of the highest
+    degree among them, with the lowest knot multiplicities that their parametric continuity allows
+    after the best linear re-parametrisation.
+
+    curves: Part.Edge or Curve, in a list or another iterable, or a Part.Wire. They are travelled in
+        the order of the list, each in the direction that its ends suggest. Only where that leaves a
+        gap are they sorted by their ends; then the first keeps its direction.
+    tolerance: mm. 0: the point set is that of the curves to rounding (1.1e-13 of the coordinates,
+        and the known errors of converted curves). Above 0, gaps are closed, each end moving half of
+        it, and the multiplicities at the joins lowered further, C^1 everywhere first, as long as no
+        point moves farther than this. Inner knots of the curves lose only what they do not need.
+
+    The first curve keeps its parameter. Those of the others are scaled, one factor each, so that
+    the speeds agree where they meet smoothly; behind a corner so that the mean speed stays the
+    same. Weights are scaled to agree at the joins; rational curves are judged in homogeneous form,
+    as B-splines need it, so that the arcs of a circle keep double knots. A closed chain makes a
+    closed curve: periodic where its closing is C^1 or better, else clamped.
+
+    Of the result, `reports` and `input_reports` have a JoinReport for each place where two curves
+    meet, in the order of travel, the closing last: of the curve, with its `parameter` there, and of
+    the curves as they were. `max_displacement_mm` bounds how far points moved, measured at equal
+    parameters. `warnings` names corners, closed gaps, joins at two speeds, and a sorted list.
+
+    Raises ContactError (a ValueError) where the curves make no chain, with the pair and its gap, or
+    branch, and where scaled knots or weights leave the range of doubles. Raises ValueError for an
+    empty list, the same curve twice and a bad tolerance, TypeError for what is no curve.
+    """
+    return _core.join(shapes.curves_from(curves, "curves"), tolerance)

@@ -79,6 +79,18 @@ def curve_from(value, name):
         raise ValueError(str(error).replace("edge:", f"{name}:", 1)) from None
 
 
+def curves_from(values, name):
+    """The Curves of edges or Curves in an iterable, or of a wire from its beginning to its end."""
+    part = sys.modules.get("Part")
+    if part is not None and isinstance(values, part.Wire):
+        values = edges_in_order(values)
+    is_one = isinstance(values, _core.Curve) or is_edge(values)
+    if is_one or isinstance(values, str) or not hasattr(values, "__iter__"):
+        raise TypeError(f"{name}: a list of Part.Edge or osculate.Curve, or a Part.Wire, is "
+                        f"needed, got {_described(values, 'a list')}")
+    return [curve_from(value, f"{name}[{i}]") for i, value in enumerate(values)]
+
+
 def are_same(a, b):
     """Whether two edges or Curves are one and the same curve in space."""
     if a is b:
