@@ -24,8 +24,8 @@ def blend(a, b, *, order=3, ends=None, beta=None, degree=None, fairness="mvc", s
         `Construction.energy` (scale-invariant minimum variation of curvature: Moreton and Sequin
         1992), "bending" the same with "bending"; the best of several starts, always the same curve
         for the same arguments. None takes beta_1 = 1 and 0 for the others.
-    symmetric: True makes the numbers equal at both ends, up to the lower order: one that is given at
-        one end alone holds at the other too, those given at neither are chosen as one.
+    symmetric: True makes the numbers equal at both ends, up to the lower order: one that is given
+        at one end alone holds at the other too, those given at neither are chosen as one.
 
     `warnings` of the result names cramped ends, and where rounding keeps a join from the order
     asked for. The curve is computed without the GIL.
