@@ -35,14 +35,29 @@ py::tuple beta(const ConstructionRecord& self) {
   return py::make_tuple(py::tuple(py::cast(self.beta[0])), py::tuple(py::cast(self.beta[1])));
 }
 
-py::dict energy(ConstructionRecord& self) {
-  if (!self.knownEnergies) self.knownEnergies = energies(self.curve);
-  const Energies& known = *self.knownEnergies;
+/// Those without dimension.
+py::dict dictOf(const Energies& known) {
   py::dict result;
   result["bending"] = known.bending;
   result["mvc"] = known.variation;
   result["speed"] = known.speed;
+  return result;
+}
+
+py::dict energy(ConstructionRecord& self) {
+  if (!self.knownEnergies) self.knownEnergies = energies(self.curve);
+  py::dict result = dictOf(*self.knownEnergies);
   result["objective"] = self.objective;
+  result["length_mm"] = self.knownEnergies->lengthMm;
+  return result;
+}
+
+py::dict energiesOf(const BSplineCurve& curve) {
+  const auto known = [&] {
+    const py::gil_scoped_release release;
+    return energies(curve);
+  }();
+  py::dict result = dictOf(known);
   result["length_mm"] = known.lengthMm;
   return result;
 }
@@ -158,6 +173,7 @@ std::optional<Fairness> fairnessFrom(const py::object& value) {
 void bindConstruction(py::module_& m) {
   py::register_local_exception_translator(&translateContactError);
   bindRecord(m);
+  m.def("energies", &energiesOf, py::arg("curve"));
 }
 
 }  // namespace osculate::python

@@ -20,10 +20,11 @@ from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyz
 from osculate.construction import blend, join
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
+from osculate.fairness import energies
 
 __all__ = [
     "Construction", "ContactError", "Curve", "DefinitionDetail", "FrenetFrame", "JoinBatch",
     "JoinReport", "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry",
     "TolerancePreset", "Tolerances", "VERDICTS", "__version__", "analyze", "analyze_edge",
-    "analyze_joins", "blend", "join", "write_csv", "write_json",
+    "analyze_joins", "blend", "energies", "join", "write_csv", "write_json",
 ]
