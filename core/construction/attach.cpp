@@ -26,25 +26,13 @@ void setPowers(const ArcLengthSeries& sigma, int m, Table& power) {
   }
 }
 
-/// The poles of the Taylor coefficients q_first .. q_m; those below `first` are zero.
-BoundedPoles polesOf(const BoundedPoles& taylor, int first, int degree) {
-  const int m = static_cast<int>(taylor.cols()) - 1;
-  BoundedPoles poles = BoundedPoles::Zero(3, m + 1);
-  for (int k = first; k <= m; ++k) {
-    const Vector3 term = taylor.col(k) / binomial(degree, k);
-    for (int i = k; i <= m; ++i)
-      poles.col(i) += binomial(i, k) * term;
-  }
-  return poles;
-}
-
 Vector3 rho(const ContactJet& target, int j) {
   return target.r[index(j)] / detail::kFactorials[index(j)];
 }
 
 }  // namespace
 
-BoundedPoles attach(const ContactJet& target, const ArcLengthSeries& sigma, int degree) {
+BoundedPoles attachedTaylor(const ContactJet& target, const ArcLengthSeries& sigma) {
   const int m = target.order;
   Table power;
   setPowers(sigma, m, power);
@@ -55,11 +43,11 @@ BoundedPoles attach(const ContactJet& target, const ArcLengthSeries& sigma, int 
     for (int k = j; k <= m; ++k)
       q.col(k) += power[index(j)][index(k)] * coefficient;
   }
-  return polesOf(q, 0, degree);
+  return q;
 }
 
-void attachDerivatives(const ContactJet& target, const ArcLengthSeries& sigma, int degree,
-                       std::array<BoundedPoles, kMaxOrder>& derivative) {
+void attachedTaylorDerivatives(const ContactJet& target, const ArcLengthSeries& sigma,
+                               std::array<BoundedPoles, kMaxOrder>& derivative) {
   const int m = target.order;
   Table power;
   setPowers(sigma, m, power);
@@ -70,10 +58,32 @@ void attachDerivatives(const ContactJet& target, const ArcLengthSeries& sigma, i
       tangent.col(k) += power[index(j - 1)][index(k)] * coefficient;
   }
   for (int l = 1; l <= m; ++l) {
-    BoundedPoles change = BoundedPoles::Zero(3, m + 1);
+    BoundedPoles& change = derivative[index(l - 1)];
+    change = BoundedPoles::Zero(3, m + 1);
     change.rightCols(m + 1 - l) = tangent.leftCols(m + 1 - l);
-    derivative[index(l - 1)] = polesOf(change, l, degree);
   }
+}
+
+BoundedPoles polesOfTaylor(const BoundedPoles& taylor, int degree) {
+  const int m = static_cast<int>(taylor.cols()) - 1;
+  BoundedPoles poles = BoundedPoles::Zero(3, m + 1);
+  for (int k = 0; k <= m; ++k) {
+    const Vector3 term = taylor.col(k) / binomial(degree, k);
+    for (int i = k; i <= m; ++i)
+      poles.col(i) += binomial(i, k) * term;
+  }
+  return poles;
+}
+
+BoundedPoles attach(const ContactJet& target, const ArcLengthSeries& sigma, int degree) {
+  return polesOfTaylor(attachedTaylor(target, sigma), degree);
+}
+
+void attachDerivatives(const ContactJet& target, const ArcLengthSeries& sigma, int degree,
+                       std::array<BoundedPoles, kMaxOrder>& derivative) {
+  attachedTaylorDerivatives(target, sigma, derivative);
+  for (int l = 1; l <= target.order; ++l)
+    derivative[index(l - 1)] = polesOfTaylor(derivative[index(l - 1)], degree);
 }
 
 }  // namespace osculate

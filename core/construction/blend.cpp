@@ -112,7 +112,7 @@ Minimum solveLeastDegree(const ContactJet& from, const ContactJet& to, const Ble
   const BlendProblem problem(from, to, options, degree, quadrature);
   Minimum best{problem.start(1.0, 1.0), std::numeric_limits<double>::infinity()};
   const auto consider = [&](const std::vector<double>& start) {
-    Minimum candidate = minimize(problem, start);
+    Minimum candidate = minimize(functionOf(problem), start);
     if (candidate.objective < best.objective) best = std::move(candidate);
   };
   for (const auto& start : starts(problem))
@@ -138,7 +138,7 @@ std::vector<double> solve(const ContactJet& from, const ContactJet& to, const Bl
   const std::vector<double> unknowns = solveLeastDegree(from, to, options, quadrature).unknowns;
   if (degree == least) return unknowns;
   const BlendProblem problem(from, to, options, degree, quadrature);
-  return minimize(problem, problem.startFrom(leastProblem, unknowns)).unknowns;
+  return minimize(functionOf(problem), problem.startFrom(leastProblem, unknowns)).unknowns;
 }
 
 /// The optimum by the fine quadrature of `problem`, found by the coarse one where that sees enough.
@@ -151,9 +151,9 @@ Minimum fairest(const ContactJet& from, const ContactJet& to, const BlendOptions
   };
   const Minimum found = withObjective(solve(from, to, options, degree, Quadrature::kCoarse));
   if (found.objective - coarse.objective(found.unknowns, nullptr) < kQuadratureTolerance)
-    return polish(problem, coarse, found);
+    return polish(functionOf(problem), functionOf(coarse).value, found);
   // a stop or a sharp turn between the nodes: only more of them see it
-  return polish(problem, problem,
+  return polish(functionOf(problem), functionOf(problem).value,
                 withObjective(solve(from, to, options, degree, Quadrature::kFine)));
 }
 

@@ -200,4 +200,11 @@ double BlendProblem::objective(const std::vector<double>& unknowns, double* grad
   return value;
 }
 
+BoundedFunction functionOf(const BlendProblem& problem) {
+  return {[&](const std::vector<double>& unknowns, double* gradient) {
+            return problem.objective(unknowns, gradient);
+          },
+          problem.lowerBounds(), problem.upperBounds()};
+}
+
 }  // namespace osculate

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "osculate/construction/blend.h"
+#include "osculate/construction/minimize.h"
 
 namespace osculate {
 
@@ -55,5 +56,8 @@ class BlendProblem {
   std::vector<double> lower_;
   std::vector<double> upper_;
 };
+
+/// Its objective within its bounds, as long as the problem lives.
+BoundedFunction functionOf(const BlendProblem& problem);
 
 }  // namespace osculate

@@ -202,7 +202,47 @@ double evaluateAt(int degree, bool bending, const BoundedPoles& poles, BoundedPo
   return objective;
 }
 
+template <int Nodes>
+Vectors<Nodes> hodographAt(const BoundedPoles& poles) {
+  const Table<Nodes>& table = tableOf<Nodes>(static_cast<int>(poles.cols()) - 1);
+  Vectors<Nodes> a;
+  for (std::size_t x = 0; x < 3; ++x) {
+    const auto row = poles.row(static_cast<Eigen::Index>(x)).transpose();
+    a[x] = table.basis[0].lazyProduct(row).array();
+  }
+  return a;
+}
+
+template <int Nodes>
+double lengthAt(const BoundedPoles& poles, BoundedPoles* gradient) {
+  const Table<Nodes>& table = tableOf<Nodes>(static_cast<int>(poles.cols()) - 1);
+  const Vectors<Nodes> a = hodographAt<Nodes>(poles);
+  const Numbers<Nodes> v = dot<Nodes>(a, a).sqrt();
+  if (gradient != nullptr) {
+    const Numbers<Nodes> factor = (v > 0.0).select(table.weights / v, 0.0);
+    gradient->resize(3, poles.cols());
+    for (std::size_t x = 0; x < 3; ++x) {
+      gradient->row(static_cast<Eigen::Index>(x)) =
+          (factor * a[x]).matrix().transpose().lazyProduct(table.basis[0]);
+    }
+  }
+  return (table.weights * v).sum();
+}
+
+constexpr int kCoarseNodes = 2 * kPanelNodes;
+constexpr int kFineNodes = 8 * kPanelNodes;
+
 }  // namespace
+
+double lengthOf(const BoundedPoles& poles, Quadrature quadrature, BoundedPoles* gradient) {
+  return quadrature == Quadrature::kCoarse ? lengthAt<kCoarseNodes>(poles, gradient)
+                                           : lengthAt<kFineNodes>(poles, gradient);
+}
+
+double leastSpeed(const BoundedPoles& poles) {
+  const Vectors<kFineNodes> a = hodographAt<kFineNodes>(poles);
+  return dot<kFineNodes>(a, a).sqrt().minCoeff();
+}
 
 FairnessObjective::FairnessObjective(int degree, Fairness fairness, Quadrature quadrature)
     : degree_(degree), fairness_(fairness), quadrature_(quadrature) {}
@@ -210,8 +250,8 @@ FairnessObjective::FairnessObjective(int degree, Fairness fairness, Quadrature q
 double FairnessObjective::evaluate(const BoundedPoles& poles, BoundedPoles* gradient) const {
   const bool bending = fairness_ == Fairness::kBending;
   return quadrature_ == Quadrature::kCoarse
-             ? evaluateAt<2 * kPanelNodes>(degree_, bending, poles, gradient)
-             : evaluateAt<8 * kPanelNodes>(degree_, bending, poles, gradient);
+             ? evaluateAt<kCoarseNodes>(degree_, bending, poles, gradient)
+             : evaluateAt<kFineNodes>(degree_, bending, poles, gradient);
 }
 
 }  // namespace osculate

@@ -50,4 +50,11 @@ class FairnessObjective {
   Quadrature quadrature_;
 };
 
+/// The length in mm of a polynomial Bézier curve by a fixed quadrature, with its derivatives by the
+/// poles where `gradient` is not null.
+double lengthOf(const BoundedPoles& poles, Quadrature quadrature, BoundedPoles* gradient);
+
+/// The least |Q'| of a polynomial Bézier curve at the nodes of the fine quadrature, mm.
+double leastSpeed(const BoundedPoles& poles);
+
 }  // namespace osculate

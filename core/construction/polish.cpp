@@ -1,5 +1,6 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <optional>
 
 #include "osculate/construction/minimize.h"
 
@@ -13,10 +14,10 @@ struct Point {
   double objective;
 };
 
-Point pointAt(const BlendProblem& problem, const Eigen::VectorXd& x) {
+Point pointAt(const SmoothFunction& function, const Eigen::VectorXd& x) {
   Point point{x, Eigen::VectorXd(x.size()), 0.0};
   const std::vector<double> unknowns(x.begin(), x.end());
-  point.objective = problem.objective(unknowns, point.gradient.data());
+  point.objective = function(unknowns, point.gradient.data());
   return point;
 }
 
@@ -28,7 +29,9 @@ Eigen::Map<const Eigen::VectorXd> asVector(const std::vector<double>& numbers) {
 /// axis downhill by as much as the curvature there says.
 class Metric {
  public:
-  Metric(const BlendProblem& problem, const Eigen::VectorXd& x) : axes_(hessian(problem, x)) {
+  /// `upper` are the bounds of the unknowns, or empty.
+  Metric(const SmoothFunction& function, const std::vector<double>& upper, const Eigen::VectorXd& x)
+      : axes_(hessian(function, upper, x)) {
     constexpr double kFlattest = 1e-10;
     const Eigen::VectorXd bend = axes_.eigenvalues().cwiseAbs();
     inverse_ = bend.cwiseMax(kFlattest * bend.maxCoeff()).cwiseInverse();
@@ -41,16 +44,16 @@ class Metric {
 
  private:
   /// Forward differences of the gradient, made symmetric.
-  static Eigen::MatrixXd hessian(const BlendProblem& problem, const Eigen::VectorXd& x) {
-    const Point point = pointAt(problem, x);
-    const auto upper = asVector(problem.upperBounds());
+  static Eigen::MatrixXd hessian(const SmoothFunction& function, const std::vector<double>& upper,
+                                 const Eigen::VectorXd& x) {
+    const Point point = pointAt(function, x);
     Eigen::MatrixXd hessian(x.size(), x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       double h = 1e-6 * std::max(1.0, std::abs(x[i]));
-      if (x[i] + h > upper[i]) h = -h;
+      if (!upper.empty() && x[i] + h > upper[static_cast<std::size_t>(i)]) h = -h;
       Eigen::VectorXd beside = x;
       beside[i] += h;
-      hessian.col(i) = (pointAt(problem, beside).gradient - point.gradient) / (beside[i] - x[i]);
+      hessian.col(i) = (pointAt(function, beside).gradient - point.gradient) / (beside[i] - x[i]);
     }
     return 0.5 * (hessian + hessian.transpose());
   }
@@ -60,15 +63,15 @@ class Metric {
 };
 
 /// Halves the step until it lowers the objective; nothing where it does not.
-std::optional<Point> descend(const BlendProblem& problem, const Point& from,
+std::optional<Point> descend(const BoundedFunction& function, const Point& from,
                              const Eigen::VectorXd& step) {
   constexpr int kMostHalvings = 6;
   double share = 1.0;
   for (int i = 0; i <= kMostHalvings; ++i, share *= 0.5) {
-    const Eigen::VectorXd x = (from.x + share * step)
-                                  .cwiseMax(asVector(problem.lowerBounds()))
-                                  .cwiseMin(asVector(problem.upperBounds()));
-    Point next = pointAt(problem, x);
+    Eigen::VectorXd x = from.x + share * step;
+    if (!function.lower.empty()) x = x.cwiseMax(asVector(function.lower));
+    if (!function.upper.empty()) x = x.cwiseMin(asVector(function.upper));
+    Point next = pointAt(function.value, x);
     if (next.objective < from.objective) return next;
   }
   return {};
@@ -76,21 +79,21 @@ std::optional<Point> descend(const BlendProblem& problem, const Point& from,
 
 }  // namespace
 
-Minimum polish(const BlendProblem& problem, const BlendProblem& model, const Minimum& start) {
+Minimum polish(const BoundedFunction& function, const SmoothFunction& model, const Minimum& start) {
   constexpr int kMostSteps = 20;
   constexpr double kSmallestGain = 1e-14;  // of the objective, a logarithm
   constexpr double kSlow = 0.05;           // a step that gains more than this share of the last
-  if (problem.size() == 0 || !std::isfinite(start.objective)) return start;
-  Point best = pointAt(problem, asVector(start.unknowns));
-  Metric metric(model, best.x);
+  if (start.unknowns.empty() || !std::isfinite(start.objective)) return start;
+  Point best = pointAt(function.value, asVector(start.unknowns));
+  Metric metric(model, function.upper, best.x);
   double lastGain = 0.0;
   for (int i = 0; i < kMostSteps; ++i) {
-    const std::optional<Point> next = descend(problem, best, metric.step(best.gradient));
+    const std::optional<Point> next = descend(function, best, metric.step(best.gradient));
     if (!next) break;
     const double gain = best.objective - next->objective;
     best = *next;
     if (gain < kSmallestGain) break;
-    if (i > 0 && gain > kSlow * lastGain) metric = Metric(model, best.x);
+    if (i > 0 && gain > kSlow * lastGain) metric = Metric(model, function.upper, best.x);
     lastGain = gain;
   }
   return {std::vector<double>(best.x.begin(), best.x.end()), best.objective};

@@ -11,7 +11,8 @@ namespace osculate {
 
 namespace {
 
-double reachFrom(const BSplineCurve& curve, CurveEnd end) {
+/// To the other end or the middle point.
+double farthestFrom(const BSplineCurve& curve, CurveEnd end) {
   const Vector3& join = curve.endPoint(end);
   return std::sqrt(std::max((curve.endPoint(opposite(end)) - join).squaredNorm(),
                             (curve.middlePoint() - join).squaredNorm()));
@@ -51,8 +52,8 @@ CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds
   BezierSegment arriving = first.endSegment(ends.first);
   BezierSegment leaving = second.endSegment(ends.second);
   JoinReport report =
-      analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
-                  sideOf(second, leaving, ends.second, reachFrom(second, ends.second)), options);
+      analyzeJoin(sideOf(first, arriving, ends.first, farthestFrom(first, ends.first)),
+                  sideOf(second, leaving, ends.second, farthestFrom(second, ends.second)), options);
   markApproximated(first, report);
   markApproximated(second, report);
   return {report, arriving, leaving, std::nullopt};
@@ -70,6 +71,10 @@ CurveJoin innerJoin(const BSplineCurve& curve, const BezierSegment& before,
 }
 
 }  // namespace
+
+double reachFrom(const BSplineCurve& curve, CurveEnd end) {
+  return sideOf(curve, curve.endSegment(end), end, farthestFrom(curve, end)).reach;
+}
 
 NearestEnds nearestEnds(const BSplineCurve& first, const BSplineCurve& second,
                         double gapTolerance) {
@@ -115,8 +120,9 @@ JoinReport reportCurves(const BSplineCurve& first, const BSplineCurve& second,
                         const AnalysisOptions& options, JoinEnds ends) {
   const BezierSegment arriving = first.endSegment(ends.first);
   const BezierSegment leaving = second.endSegment(ends.second);
-  return analyzeJoin(sideOf(first, arriving, ends.first, reachFrom(first, ends.first)),
-                     sideOf(second, leaving, ends.second, reachFrom(second, ends.second)), options);
+  return analyzeJoin(sideOf(first, arriving, ends.first, farthestFrom(first, ends.first)),
+                     sideOf(second, leaving, ends.second, farthestFrom(second, ends.second)),
+                     options);
 }
 
 CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& options) {

@@ -34,6 +34,11 @@ struct NearestEnds {
 };
 NearestEnds nearestEnds(const BSplineCurve& first, const BSplineCurve& second, double gapTolerance);
 
+/// Distance in mm from an end to the curve's other end or to its middle point, the larger; to the
+/// points at the golden sections where that is nothing: the L of residuals where this curve is the
+/// shorter.
+double reachFrom(const BSplineCurve& curve, CurveEnd end);
+
 /// Throws std::invalid_argument: order outside 0..kMaxOrder, bad tolerances, negative scale.
 void checkOptions(const AnalysisOptions& options);
 

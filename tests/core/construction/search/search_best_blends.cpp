@@ -48,7 +48,8 @@ double searchBest(const test::BlendCase& task, int order, int starts) {
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < starts; ++i) {
     const Minimum minimum =
-        polish(problem, problem, minimize(problem, randomStart(problem, order, generator)));
+        polish(functionOf(problem), functionOf(problem).value,
+               minimize(functionOf(problem), randomStart(problem, order, generator)));
     if (minimum.objective < best && isResolved(problem, minimum)) best = minimum.objective;
   }
   return best;
