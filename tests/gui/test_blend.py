@@ -4,44 +4,25 @@ import FreeCAD
 import FreeCADGui
 
 import samples
-from gui_case import GuiCase
+from construct_case import ConstructCase
 from osculate.gui import colors
 from osculate.gui.construct.blend_form import BlendForm
-from osculate.gui.qt import QtWidgets
 
 
-class BlendCase(GuiCase):
+class BlendCase(ConstructCase):
     form_type = BlendForm
+    command = "Osculate_Blend"
 
     def setUp(self):
         super().setUp()
-        self.doc.UndoMode = 1
         self.first, self.second = samples.blend_ends(self.doc)
         self.fit()
 
     def blend(self, *targets):
-        self.select(*targets)
-        FreeCADGui.runCommand("Osculate_Blend")
-        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
-        self.pump()
-        return self.form()
+        return self.run_on(*targets)
 
     def blend_both(self):
         return self.blend((self.first, "Edge1"), (self.second, "Edge1"))
-
-    def press(self, name):
-        """Presses OK or Cancel of the task panel."""
-        standard = getattr(QtWidgets.QDialogButtonBox.StandardButton, name)
-        boxes = FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-        self.click(next(filter(None, (box.button(standard) for box in boxes
-                                      if box.isVisible()))))
-
-    def finish(self, name):
-        self.press(name)
-        self.wait_for(lambda: self.form() is None, "the panel to close")
-
-    def names(self):
-        return [obj.Name for obj in self.doc.Objects]
 
 
 class StartTest(BlendCase):

@@ -15,14 +15,8 @@ class EditTest(BlendCase):
         self.blend_ = self.doc.BlendCurve
         self.undos = self.doc.UndoCount
 
-    def edit(self):
-        self.blend_.ViewObject.doubleClicked()
-        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
-        self.pump()
-        return self.form()
-
     def test_ok_keeps_as_one_step(self):
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.click(form.ends[1].order.buttons[2])
         self.click(form.symmetric)
         self.finish("Ok")
@@ -33,7 +27,7 @@ class EditTest(BlendCase):
 
     def test_cancel_takes_back(self):
         before = self.blend_.Shape.Length, self.blend_.FirstBeta1
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.type_number(form.ends[0].numbers[0].box, "2.5")
         self.assertNotEqual(self.blend_.Shape.Length, before[0])
         self.finish("Cancel")
@@ -43,7 +37,7 @@ class EditTest(BlendCase):
         self.assertEqual(self.blend_.State, ["Up-to-date"])
 
     def test_undo_while_editing_and_going_on(self):
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.click(form.ends[0].order.buttons[2])
         self.doc.undo()
         self.pump()
@@ -59,7 +53,7 @@ class EditTest(BlendCase):
         line, _ = samples.line_and_arc(self.doc)
         line.Placement.Base.y = 60
         self.doc.recompute()
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.click(form.ends[0].edge.pick)
         self.select((self.blend_, "Edge1"))
         self.assertIn("cannot use its edges", form.advice.text())
@@ -69,12 +63,12 @@ class EditTest(BlendCase):
         self.finish("Ok")
 
     def test_document_closed(self):
-        self.edit()
+        self.edit(self.blend_)
         FreeCAD.closeDocument(self.doc.Name)
         self.wait_for(lambda: self.form() is None, "the panel to close")
 
     def test_object_deleted(self):
-        self.edit()
+        self.edit(self.blend_)
         self.doc.removeObject(self.blend_.Name)
         self.wait_for(lambda: self.form() is None, "the panel to close")
         self.assertEqual(self.names(), ["Left", "Right"])
@@ -85,7 +79,7 @@ class EditTest(BlendCase):
         sweep.Base, sweep.Dir = self.blend_, FreeCAD.Vector(0, 0, 5)
         self.doc.recompute()
         area = sweep.Shape.Area
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.type_number(form.ends[0].numbers[0].box, "2.5")
         self.assertNotEqual(sweep.Shape.Area, area)
         self.finish("Cancel")
@@ -97,7 +91,7 @@ class EditTest(BlendCase):
         self.pump()
         self.assertFalse(self.blend_.isValid())
         self.assertIn("degree", self.report_view().toPlainText())
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.assertIn("degree", form.trouble.text())
         self.screenshot("blend_error")
         self.assertEqual(form.degree.value(), 3)
@@ -111,7 +105,7 @@ class EditTest(BlendCase):
         self.doc.removeObject("Right")
         self.doc.recompute()
         length = self.blend_.Shape.Length
-        form = self.edit()
+        form = self.edit(self.blend_)
         self.assertIn("deleted", form.trouble.text())
         self.screenshot("blend_broken")
         line, _ = samples.line_and_arc(self.doc)

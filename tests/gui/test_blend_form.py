@@ -1,8 +1,5 @@
 """The form of Blend: orders, numbers, ends, degree, fairness, steps."""
 
-import FreeCADGui
-
-from gui_case import DARK
 from test_blend import BlendCase
 
 
@@ -112,8 +109,5 @@ class FormTest(BlendCase):
         self.assertNotIn("Touched", self.obj.State)
 
     def test_dark(self):
-        FreeCADGui.getMainWindow().setStyleSheet(
-            "QWidget { background: #2b2b2b; color: #e0e0e0 }")
-        self.set_background(DARK)
-        self.addCleanup(FreeCADGui.getMainWindow().setStyleSheet, "")
+        self.darken()
         self.screenshot("blend_dark")

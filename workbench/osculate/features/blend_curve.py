@@ -6,7 +6,7 @@ import osculate
 from osculate.features import beta_properties
 from osculate.features.constructed import Constructed, make
 from osculate.features.departure import CHOICES, NEAREST, ends_of
-from osculate.features.edge_link import EdgeLink
+from osculate.features.edge_link import EdgeLink, resolve_each
 from osculate.features.properties import LINK, READ_ONLY, SHOWN, set_if_changed
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -62,7 +62,7 @@ class BlendCurve(Constructed):
     }
 
     def construct(self, obj):
-        edges = edges_of(links_of(obj))
+        edges = resolve_each(links_of(obj))
         orders = obj.FirstOrder, obj.SecondOrder
         return osculate.blend(
             *edges, order=orders, ends=ends_of(edges, (obj.FirstEnd, obj.SecondEnd),
@@ -150,9 +150,3 @@ def _check(orders, ends, positions, beta, degree, fairness):
 def links_of(obj):
     """The EdgeLinks of both edges. Raises LinkError if one is empty."""
     return tuple(EdgeLink.of_property(getattr(obj, side)) for side in SIDES)
-
-
-def edges_of(links):
-    """Their Part.Edges; a link that comes twice gives one edge. Raises LinkError."""
-    edges = {link: link.resolve() for link in dict.fromkeys(links)}
-    return [edges[link] for link in links]

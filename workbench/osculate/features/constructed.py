@@ -75,6 +75,10 @@ class Constructed:
     def show_choices(self, obj, result):
         """Sets the properties that the user left to be chosen."""
 
+    def shape(self, _obj, result):
+        """The shape of a construction, in global coordinates. Raises one of FAILURES."""
+        return result.edge
+
     def show(self, obj, result):
         """Sets the properties that say what came out."""
         show_result(obj, result)
@@ -136,12 +140,12 @@ class Constructed:
         self.result, self.error = None, ""
         try:
             result = self.construct(obj)
-            edge = result.edge
+            shape = self.shape(obj, result)
         except FAILURES as error:
             self.error = str(error)
         else:
             self.result = result
-            place(obj, edge)
+            place(obj, shape)
             self.show_choices(obj, result)
         set_if_changed(obj, "Status", self.error or "OK")
 
@@ -168,9 +172,11 @@ def place(obj, shape):
     obj.Shape = shape
 
 
-def show_result(obj, result):
-    """Sets the results that all constructions have from an osculate.Construction."""
-    reports = result.reports
+def show_result(obj, result, reports=None):
+    """Sets the results that all constructions have from an osculate.Construction; `reports` where
+    there are more than its own.
+    """
+    reports = result.reports if reports is None else reports
     obj.Orders = [report.order for report in reports]
     obj.Continuity = [f"G{report.order}" if report.order >= 0 else "gap" for report in reports]
     obj.Reports = json.dumps([report.to_dict() for report in reports])

@@ -1,4 +1,4 @@
-"""A reference to one edge of a document: names that survive edits, resolved when needed."""
+"""References to an edge or a vertex of a document: names that survive edits."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ translate = FreeCAD.Qt.translate
 
 
 class LinkError(Exception):
-    """A link leads to no edge; the message is a sentence for the user."""
+    """A link leads to no edge or vertex; the message is a sentence for the user."""
 
 
 @dataclass(frozen=True)
@@ -31,14 +31,13 @@ class EdgeLink:
 
     @classmethod
     def of_property(cls, value):
-        """The link in a property of a document object. Raises LinkError if it names no edge."""
+        """The link in a property of a document object. Raises LinkError if it names none."""
         if not value or value[0] is None:
-            raise LinkError(translate("Osculate", "No edge is linked (its object was deleted?)."))
+            raise LinkError(cls._none())
         obj, subs = value
         names = [subs] if isinstance(subs, str) else [sub for sub in subs if sub]
         if len(names) != 1:
-            raise LinkError(translate("Osculate", "{} is linked without one edge of it.")
-                            .format(obj.Label))
+            raise LinkError(cls._not_one(obj))
         return cls.of(obj, names[0])
 
     def resolve_object(self):
@@ -51,6 +50,9 @@ class EdgeLink:
 
     def resolve(self):
         """The Part.Edge in global coordinates. Raises LinkError if there is none."""
+        return self._resolve("Edge")
+
+    def _resolve(self, kind):
         obj = self.resolve_object()
         try:
             shape = Part.getShape(obj, self.sub, needSubElement=True)
@@ -58,20 +60,70 @@ class EdgeLink:
             raise LinkError(self._missing(obj)) from error
         if shape.isNull():
             raise LinkError(self._missing(obj))
-        if shape.ShapeType != "Edge":
-            raise LinkError(translate("Osculate", "{} is not an edge but a {}.")
-                            .format(self.label(), shape.ShapeType.lower()))
+        if shape.ShapeType != kind:
+            raise LinkError(self._other_kind(shape.ShapeType.lower()))
         return shape
+
+    def owner(self):
+        """The document object to which it belongs, under any App::Part. Raises LinkError."""
+        owner = self._owner()
+        if owner is None:
+            raise LinkError(translate("Osculate", "{} no longer exists.").format(self.object))
+        return owner
+
+    def _owner(self):
+        path = self.sub.split(".")[:-1]
+        document = FreeCAD.listDocuments().get(self.document)
+        return document.getObject(path[-1] if path else self.object) if document else None
+
+    # What is said where it leads to none
+
+    @staticmethod
+    def _none():
+        return translate("Osculate", "No edge is linked (its object was deleted?).")
+
+    @staticmethod
+    def _not_one(obj):
+        return translate("Osculate", "{} is linked without one edge of it.").format(obj.Label)
+
+    def _other_kind(self, kind):
+        return translate("Osculate", "{} is not an edge but a {}.").format(self.label(), kind)
 
     def _missing(self, obj):
         return translate("Osculate", "{} has no {}.").format(obj.Label, self.sub)
 
     def label(self):
-        """What the user calls the edge, e.g. "Profile.Edge3"; names where the object is gone."""
-        *path, element = self.sub.split(".")
-        document = FreeCAD.listDocuments().get(self.document)
-        owner = document.getObject(path[-1] if path else self.object) if document else None
+        """What the user calls it, e.g. "Profile.Edge3"; names where the object is gone."""
+        owner = self._owner()
+        element = self.sub.rpartition(".")[2]
         return "{}.{}".format(owner.Label if owner else self.object, element)
+
+
+class VertexLink(EdgeLink):
+    """Vertex `sub` of an object, by names."""
+
+    def resolve(self):
+        """The Part.Vertex in global coordinates. Raises LinkError if there is none."""
+        return self._resolve("Vertex")
+
+    @staticmethod
+    def _none():
+        return translate("Osculate", "No vertex is linked (its object was deleted?).")
+
+    @staticmethod
+    def _not_one(obj):
+        return translate("Osculate", "{} is linked without one vertex of it.").format(obj.Label)
+
+    def _other_kind(self, kind):
+        return translate("Osculate", "{} is not a vertex but a {}.").format(self.label(), kind)
+
+
+def resolve_each(links):
+    """The Part.Edges of some EdgeLinks, in order; equal links give one and the same edge. Raises
+    LinkError.
+    """
+    edges = {link: link.resolve() for link in dict.fromkeys(links)}
+    return [edges[link] for link in links]
 
 
 def edges_of_object(obj, path=""):

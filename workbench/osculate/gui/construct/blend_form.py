@@ -2,11 +2,12 @@
 
 from osculate import MAX_ORDER
 from osculate.features import beta_properties
-from osculate.features.blend_curve import FAIRNESS, MOST_DEGREE, SIDES
+from osculate.features.blend_curve import MOST_DEGREE, SIDES
 from osculate.gui import resources
 from osculate.gui.construct.construct_form import ConstructForm
 from osculate.gui.construct.end_box import EndBox
-from osculate.gui.panel.quiet import ComboBox, SpinBox
+from osculate.gui.construct.fairness_box import FairnessBox
+from osculate.gui.panel.quiet import SpinBox
 from osculate.gui.qt import QtWidgets, translate
 
 
@@ -40,11 +41,8 @@ class BlendForm(ConstructForm):
         self.degree = SpinBox()
         self.degree.setMaximum(MOST_DEGREE)
         self.degree.valueChanged.connect(self._degree_changed)
-        self.fairness = ComboBox()
-        for name in FAIRNESS:
-            self.fairness.addItem(_fairness_name(name), name)
-        self.fairness.activated.connect(
-            lambda index: self.edited.emit({"Fairness": self.fairness.itemData(index)}, True))
+        self.fairness = FairnessBox()
+        self.fairness.chosen.connect(lambda name: self.edited.emit({"Fairness": name}, True))
         self.symmetric = QtWidgets.QCheckBox(translate("Osculate", "Symmetric"))
         self.symmetric.setToolTip(translate("Osculate", "Chosen numbers are equal at both ends"))
         self.symmetric.clicked.connect(
@@ -82,7 +80,7 @@ class BlendForm(ConstructForm):
         for end, name in zip(self.ends, made):
             end.show_object(obj, name)
         self._show_degree(obj)
-        self.fairness.setCurrentIndex(self.fairness.findData(obj.Fairness))
+        self.fairness.show_choice(obj.Fairness)
         self.symmetric.setChecked(obj.Symmetric)
 
     def _show_degree(self, obj):
@@ -106,9 +104,3 @@ class BlendForm(ConstructForm):
         if self.fairness.currentData() == "none":
             settings["Fairness"] = "mvc"
         self.edited.emit(settings, True)
-
-
-def _fairness_name(name):
-    return {"mvc": translate("Osculate", "Even curvature"),
-            "bending": translate("Osculate", "Least bending"),
-            "none": translate("Osculate", "Nothing chosen")}[name]

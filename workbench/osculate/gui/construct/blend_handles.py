@@ -1,56 +1,17 @@
-"""The handles of a blend: β1 and β2 at each end, along the tangent."""
+"""The handles of a blend: β1 and β2 at each end."""
 
-import numpy
-
-from osculate.features import beta_properties
 from osculate.features.blend_curve import SIDES
-from osculate.gui import numbers
-from osculate.gui.construct.handle import Handle
+from osculate.gui.construct import beta_handles
 
-#: Where the handles are, in chords from the end: that of β1 at β1/3, where a cubic has its pole;
-#: that of β2 at 1/3 + β2/20, as far as it moves the pole of a quintic, on a track of its own.
-#: Neither depends on the order, the degree or the other, so that a handle stays where it is put.
-_FOOT = {1: 0.0, 2: 1.0 / 3.0}
-_SHARE = {1: 1.0 / 3.0, 2: 1.0 / 20.0}
-_LEAST_BETA_1 = 0.02  # as far as a handle can be pushed
+freed = beta_handles.freed
 
 
 def handles_of(obj, result, colors):
     """The Handles of a BlendCurve and its construction."""
-    handles = []
-    for index, (side, color) in enumerate(zip(SIDES, colors)):
-        origin, direction, chord = _end(result.curve, index)
-        if direction is None:
-            continue
-        for k, beta in enumerate(result.beta[index][:2], start=1):
-            name = "β" + "₁₂"[k - 1]
-            handles.append(Handle(
-                key=(side, k), origin=origin, direction=direction, foot=_FOOT[k] * chord,
-                distance=(_FOOT[k] + _SHARE[k] * beta) * chord, text=name,
-                caption=f"{name} = {numbers.number(beta)}", color=color,
-                is_fixed=getattr(obj, beta_properties.fixed_name(side, k)), is_beside=k == 2))
-    return handles
+    return [handle for index, (side, color) in enumerate(zip(SIDES, colors))
+            for handle in beta_handles.handles_at(obj, result, index, side, color)]
 
 
 def dragged(result, key, distance):
     """The properties of a BlendCurve when a handle is at a distance in mm from its end."""
-    side, k = key
-    _, _, chord = _end(result.curve, SIDES.index(side))
-    number = (distance / chord - _FOOT[k]) / _SHARE[k]
-    return {beta_properties.number_name(side, k): max(number, _LEAST_BETA_1) if k == 1 else number,
-            beta_properties.fixed_name(side, k): True}
-
-
-def freed(key):
-    """The properties when a handle is let go for good."""
-    return {beta_properties.fixed_name(*key): False}
-
-
-def _end(curve, index):
-    """(point, unit tangent into the curve or None, chord) of an end."""
-    poles = curve.poles
-    chord = float(numpy.linalg.norm(poles[-1] - poles[0]))
-    derivative = curve.evaluate(float(index), 1)[1] * (1.0 if index == 0 else -1.0)
-    speed = numpy.linalg.norm(derivative)
-    point = tuple(map(float, poles[-index]))
-    return point, tuple(map(float, derivative / speed)) if speed > 0.0 else None, chord
+    return beta_handles.dragged(result, SIDES.index(key[0]), key, distance)

@@ -56,6 +56,10 @@ class ConstructForm(QtWidgets.QWidget):
         """Shows the widgets that change the object only where there is one."""
         raise NotImplementedError
 
+    def reports(self, result):
+        """The JoinReports of a construction whose verdicts are shown."""
+        return result.reports
+
     def show_outcome(self, result, error, energies):
         """Shows what came out, or why nothing did."""
         self.trouble.say(error, "error")
@@ -63,7 +67,7 @@ class ConstructForm(QtWidgets.QWidget):
         self.verdicts.setVisible(result is not None)
         self.energies.setVisible(result is not None)
         if result is not None:
-            self.verdicts.show_reports(result.reports)
+            self.verdicts.show_reports(self.reports(result))
             self.energies.show_energies(*energies)
 
     def show_steps(self, can_go_back, can_go_forward):

@@ -58,6 +58,11 @@ class ConstructPanel:
         """The ConstructForm."""
         raise NotImplementedError
 
+    def link_settings(self):
+        """The properties that follow from the edges, just selected, as a dict."""
+        return {name: (link.resolve_object(), link.sub)
+                for name, link in zip(self.edge_names, self.edges.links)}
+
     def make_object(self, document, **settings):
         """Adds the object to the document with some properties set, and returns it."""
         raise NotImplementedError
@@ -65,6 +70,14 @@ class ConstructPanel:
     def what_to_select(self):
         """A sentence that asks for edges."""
         raise NotImplementedError
+
+    def energies(self):
+        """(before, now): what the energies of the curve are compared with, and they themselves."""
+        return self.session.energies
+
+    def extra_marks(self, _obj, _result):
+        """Nodes that are drawn beside edges, curve, joins and handles."""
+        return []
 
     def handles_of(self, _obj, _result):
         """The Handles of the object and its construction."""
@@ -110,8 +123,7 @@ class ConstructPanel:
     def _use_edges(self):
         """Makes the object once all edges are there, or gives it other ones."""
         if self.edges.is_complete:
-            settings = {name: (link.resolve_object(), link.sub)
-                        for name, link in zip(self.edge_names, self.edges.links)}
+            settings = self.link_settings()
             if self.session.obj is None:
                 self.session.create(self.make_object, **settings)
             else:
@@ -122,6 +134,14 @@ class ConstructPanel:
 
     def _take_links_of(self, obj):
         self.edges.show_links([_link_or_none(getattr(obj, name)) for name in self.edge_names])
+
+    def _follow_links(self):
+        """A step back or another one's edit may have given the object other edges."""
+        obj = self.session.obj
+        links = [_link_or_none(getattr(obj, name)) for name in self.edge_names] if obj else []
+        if links and None not in links and links != self.edges.links:
+            self.edges.links = links
+            self._mark_edges()
 
     def _await_edge(self, index):
         self.edges.await_edge(index)
@@ -168,12 +188,13 @@ class ConstructPanel:
     def show(self):
         """Shows the object as it is now, in the form and in the 3D view."""
         session, form = self.session, self.form
+        self._follow_links()
         form.show_edges(self.edges)
         form.show_steps(session.can_go_back, session.can_go_forward)
         form.show_parts(session.obj is not None)
         if session.obj is not None:
             form.show_object(session.obj, session.result)
-            form.show_outcome(session.result, session.error, session.energies)
+            form.show_outcome(session.result, session.error, self.energies())
         self._advise()
         self._draw()
 
@@ -183,10 +204,11 @@ class ConstructPanel:
             return  # the way back from where nothing can be made
         self._last_result = result
         handles = self.handles_of(obj, result) if result is not None else []
+        extras = self.extra_marks(obj, result) if result is not None else []
         self._mark_joins(result.reports if result is not None else ())
         self._curve_mark.show(result.curve if result is not None else None)
         self.handles.show(self.session.document_name, handles, *self._edge_marks,
-                          self._curve_mark.node, *self._join_marks)
+                          self._curve_mark.node, *extras, *self._join_marks)
 
     def _mark_edges(self):
         self._edge_marks = edge_marks(self.edges.links, self.preferences.side_colors)

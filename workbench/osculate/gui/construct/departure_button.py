@@ -1,4 +1,4 @@
-"""A button that says at which end a construction leaves an edge, and takes the other one."""
+"""A button that says at which end a construction meets an edge, and takes the other one."""
 
 from osculate.features.departure import CHOICES, FLIPPED, INSIDE, NEAREST
 from osculate.gui.qt import QtGui, QtWidgets, Signal, translate
@@ -9,18 +9,18 @@ _WIDTH = 92
 
 
 class DepartureButton(QtWidgets.QToolButton):
-    """A click flips; the menu offers all that departure.CHOICES has."""
+    """A click flips; the menu offers all choices."""
 
     chosen = Signal(str)  #: of departure.CHOICES
 
-    def __init__(self, leaves):
+    def __init__(self, leaves, choices=CHOICES):
         super().__init__()
         self._arrows = _LEAVING if leaves else _ARRIVING
         self._made = "end"
         self.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         self.setMinimumWidth(_WIDTH)
         self.setToolTip(translate("Osculate", "Take the other end, or the other direction"))
-        self.actions_ = {choice: self._action(choice) for choice in CHOICES}
+        self.actions_ = {choice: self._action(choice) for choice in choices}
         menu = QtWidgets.QMenu(self)
         for action in self.actions_.values():
             menu.addAction(action)

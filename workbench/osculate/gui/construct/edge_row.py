@@ -7,14 +7,18 @@ from osculate.gui.qt import QtCore, QtWidgets, Signal, translate
 
 
 class EdgeRow(QtWidgets.QWidget):
-    """A row; what a construction adds at its end goes into `extras`."""
+    """A row; `role` says what becomes of the edge, and what a construction adds at the end of the
+    row goes into `extras`.
+    """
 
     pick_toggled = Signal(bool)
 
-    def __init__(self, number, color):
+    def __init__(self, number, color, role=""):
         super().__init__()
         self.tag = side_tag(number, color)
         self.name = ElidedLabel()
+        self.role = QtWidgets.QLabel(role)
+        self.role.setVisible(bool(role))
         self.pick = QtWidgets.QToolButton()
         self.pick.setIcon(resources.icon("follow"))
         self.pick.setIconSize(QtCore.QSize(16, 16))
@@ -28,6 +32,7 @@ class EdgeRow(QtWidgets.QWidget):
         layout.setSpacing(6)
         layout.addWidget(self.tag)
         layout.addWidget(self.name, 1)
+        layout.addWidget(self.role)
         layout.addWidget(self.pick)
         layout.addLayout(self.extras)
 

@@ -6,6 +6,7 @@ from osculate.features.departure import INSIDE
 from osculate.gui.construct.beta_row import BetaRow
 from osculate.gui.construct.departure_button import DepartureButton
 from osculate.gui.construct.edge_row import EdgeRow
+from osculate.gui.construct.number_rows import NumberRows, grid_of
 from osculate.gui.construct.order_buttons import OrderButtons
 from osculate.gui.construct.position_row import PositionRow
 from osculate.gui.qt import QtWidgets, Signal
@@ -26,6 +27,7 @@ class EndBox(QtWidgets.QWidget):
         self.position = PositionRow()
         self.order = OrderButtons()
         self.numbers = [BetaRow(k) for k in range(1, MAX_ORDER + 1)]
+        self._rows = NumberRows(beta_properties.of_side(side), self.numbers)
         self._lay_out()
         self._connect()
 
@@ -38,8 +40,7 @@ class EndBox(QtWidgets.QWidget):
         self.order.setVisible(has_object)
         if not has_object:
             self.position.hide()
-            for row in self.numbers:
-                row.set_visible(False)
+            self._rows.hide()
 
     def show_object(self, obj, made):
         """Shows the end of a BlendCurve; `made` is the end that it takes."""
@@ -49,25 +50,15 @@ class EndBox(QtWidgets.QWidget):
         self.position.setVisible(choice in INSIDE)
         self.position.show_share(getattr(obj, f"{side}Position"))
         self.order.show_order(order)
-        for k, row in enumerate(self.numbers, start=1):
-            row.set_visible(k <= order)
-            row.show_number(getattr(obj, beta_properties.number_name(side, k)),
-                            getattr(obj, beta_properties.fixed_name(side, k)))
+        self._rows.show_object(obj, order)
 
     def _lay_out(self):
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
-        grid = QtWidgets.QGridLayout()
-        grid.setHorizontalSpacing(4)
-        grid.setVerticalSpacing(2)
-        for row, number in enumerate(self.numbers):
-            for column, widget in enumerate(number.widgets()):
-                grid.addWidget(widget, row, column)
-        grid.setColumnStretch(2, 1)
         for widget in (self.edge, self.position, self.order):
             layout.addWidget(widget)
-        layout.addLayout(grid)
+        layout.addLayout(grid_of(self.numbers))
 
     def _connect(self):
         side = self._side
@@ -76,14 +67,5 @@ class EndBox(QtWidgets.QWidget):
             lambda share, ends: self.edited.emit({f"{side}Position": share}, ends))
         self.position.settled.connect(self.settled)
         self.order.chosen.connect(lambda order: self.edited.emit({f"{side}Order": order}, True))
-        for row in self.numbers:
-            row.given.connect(self._number_given)
-            row.freed.connect(self._number_freed)
-            row.settled.connect(self.settled)
-
-    def _number_given(self, k, number, is_settled):
-        self.edited.emit({beta_properties.number_name(self._side, k): number,
-                          beta_properties.fixed_name(self._side, k): True}, is_settled)
-
-    def _number_freed(self, k):
-        self.edited.emit({beta_properties.fixed_name(self._side, k): False}, True)
+        self._rows.edited.connect(self.edited)
+        self._rows.settled.connect(self.settled)

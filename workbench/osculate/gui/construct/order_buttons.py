@@ -13,6 +13,7 @@ class OrderButtons(QtWidgets.QWidget):
 
     def __init__(self):
         super().__init__()
+        self._letter = "G"
         self.buttons = [self._button(order) for order in range(_PLAIN + 1)]
         self.more = QtWidgets.QToolButton()
         self.more.setCheckable(True)
@@ -27,11 +28,19 @@ class OrderButtons(QtWidgets.QWidget):
         layout.addStretch(1)
         self.show_order(0)
 
+    def show_letter(self, letter):
+        """Names the orders of geometric continuity, "G", or of parametric one, "C"."""
+        self._letter = letter
+        for order, button in enumerate(self.buttons):
+            button.setText(f"{letter}{order}")
+        for order, action in enumerate(self.more.menu().actions(), start=_PLAIN + 1):
+            action.setText(f"{letter}{order}")
+
     def show_order(self, order):
         for number, button in enumerate(self.buttons):
             button.setChecked(number == order)
         self.more.setChecked(order > _PLAIN)
-        self.more.setText(f"G{order}" if order > _PLAIN else "…")
+        self.more.setText(f"{self._letter}{order}" if order > _PLAIN else "…")
 
     def _button(self, order):
         button = QtWidgets.QToolButton()

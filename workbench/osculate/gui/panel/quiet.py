@@ -2,6 +2,8 @@
 
 from osculate.gui.qt import Qt, QtWidgets
 
+_LEAST_LETTERS = 10  # of a choice, that are seen where the panel is narrow
+
 
 class QuietWheel:
     """Mixed into a widget class, in front of it."""
