@@ -16,6 +16,8 @@ import Part
 from osculate.features import make_join_check
 from osculate.gui import preferences, resources
 from osculate.gui.construct.blend_form import BlendForm
+from osculate.gui.construct.interpolated_form import InterpolatedForm
+from osculate.gui.construct.joined_form import JoinedForm
 from osculate.gui.panel.panel_form import PanelForm
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.qt import QtCore, QtGui, QtWidgets
@@ -43,6 +45,8 @@ def main():
     draw_overlay()
     draw_blend()
     draw_handles()
+    draw_join()
+    draw_interpolate()
     draw_preferences()
 
 
@@ -93,6 +97,51 @@ def draw_definitions():
 
 def draw_list():
     """list.png: all joins of a sketch, worst first."""
+    document = open_profile()
+    form = analyze(document, ("Profile", ""))
+    form.joins.view.selectRow(2)
+    pump()
+    grab("list")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_join():
+    """join.png: a sketch with a gap that is joined within a tolerance."""
+    document = open_profile()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(document.Name, "Profile")
+    FreeCADGui.runCommand("Osculate_Join")
+    pump()
+    find_form(JoinedForm).tolerance.setValue(0.02)
+    grab("join")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_interpolate():
+    """interpolate.png: a curve through vertices, one with a tension of its own."""
+    document = FreeCAD.newDocument("Points")
+    wire = document.addObject("Part::Feature", "Wire")
+    wire.Shape = Part.makePolygon([V(0, 0, 0), V(40, 35, 0), V(80, 0, 10), V(110, 45, 0),
+                                   V(160, 20, 0), V(180, 50, 20)])
+    document.recompute()
+    wire.ViewObject.DrawStyle = "Dotted"
+    look(document, "viewTop", 1.0)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(document.Name, "Wire")
+    FreeCADGui.runCommand("Osculate_Interpolate")
+    pump()
+    form = find_form(InterpolatedForm)
+    form.table.mark(3)
+    form.own.box.setValue(40.0)
+    grab("interpolate")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def open_profile():
+    """A sketch: line, arc, arc, B-spline, line, with a corner and a gap."""
     document = FreeCAD.newDocument("Profile")
     sketch = document.addObject("Sketcher::SketchObject", "Profile")
     sketch.addGeometry(Part.LineSegment(V(0, 0, 0), V(50, 0, 0)))
@@ -106,12 +155,7 @@ def draw_list():
     sketch.ViewObject.LineColor = INK
     sketch.ViewObject.LineWidth = 3.0
     look(document, "viewTop", 1.2)
-    form = analyze(document, ("Profile", ""))
-    form.joins.view.selectRow(2)
-    pump()
-    grab("list")
-    FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(document.Name)
+    return document
 
 
 def draw_overlay():

@@ -106,6 +106,12 @@ def command_icons():
         "analyze-join": curves(node(), *lens),
         "blend": construction(stroke("M17 40 C33 40 15 8 31 8", GOOD, 4.6), dot(17, 40, 4, *NODE),
                               dot(31, 8, 4, *NODE)),
+        "join": (stroke("M4 40 C12 42 18 36 20 28", FIRST, 4.6),
+                 stroke("M20 28 C22 20 26 16 32 17", GOOD, 4.6),
+                 stroke("M32 17 C38 18 41 14 44 7", SECOND, 4.6), dot(20, 28, 4, *NODE),
+                 dot(32, 17, 4, *NODE)),
+        "interpolate": (stroke("M6 36 C10 10 20 8 24 24 C28 40 38 38 42 12", GOOD, 4.6),
+                        dot(6, 36, 4, *NODE), dot(24, 24, 4, *NODE), dot(42, 12, 4, *NODE)),
         "keep": pin,
     }
 
@@ -130,6 +136,10 @@ def button_icons():
                  stroke("M10 24 H38 V42 H10 Z", NEUTRAL, 4.2)),
         "locked": (stroke("M15 24 V15 A9 9 0 0 1 33 15 V24", NEUTRAL, 4.2),
                    '<rect x="9" y="23" width="30" height="20" rx="3" fill="#e8860c"/>'),
+        "up": (stroke("M24 42 V8 M12 20 L24 8 L36 20", "#4a90d9", 4.6),),
+        "down": (stroke("M24 6 V40 M12 28 L24 40 L36 28", "#4a90d9", 4.6),),
+        "add": (stroke("M24 8 V40 M8 24 H40", GOOD, 5),),
+        "remove": (stroke("M8 24 H40", "#c8102e", 5),),
         "copy": (stroke("M31 12 V6 H9 V35 H15", NEUTRAL, 3.6), stroke(sheet, "#4a90d9", 3.6),
                  stroke("M23 24 H32 M23 31 H32", "#4a90d9", 3.2)),
         "save": (stroke("M24 6 V30 L14 20 M24 30 L34 20", "#4a90d9", 4.6),

@@ -5,7 +5,9 @@ from importlib import import_module
 
 from osculate.features import views
 from osculate.features.blend_curve import BlendCurve
+from osculate.features.interpolated_curve import InterpolatedCurve
 from osculate.features.join_check import JoinCheck
+from osculate.features.joined_curve import JoinedCurve
 from osculate.gui import resources
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.workbench import OsculateWorkbench
@@ -26,6 +28,8 @@ def register(gui):
 _VIEWS = {
     JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
     BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
+    JoinedCurve: ("osculate.gui.construct.joined_view", "JoinedCurveView"),
+    InterpolatedCurve: ("osculate.gui.construct.interpolated_view", "InterpolatedCurveView"),
 }
 
 

@@ -3,7 +3,8 @@
 import FreeCADGui
 import Part
 
-from osculate.features.edge_link import EdgeLink, LinkError, edges_of_object, resolve_all
+from osculate.features.edge_link import (
+    EdgeLink, LinkError, VertexLink, edges_of_object, resolve_all)
 from osculate.gui.qt import translate
 
 
@@ -54,3 +55,27 @@ def _edges_at_vertex(obj, path, sub):
         raise LinkError(translate("Osculate", "No edge ends at {}.")
                         .format(EdgeLink.of(obj, sub).label()))
     return meeting
+
+
+def selected_vertices():
+    """VertexLinks to all selected vertices, each once; an object counts for all its vertices.
+
+    Raises LinkError for anything else.
+    """
+    links = {}
+    for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
+        for sub in selected.SubElementNames or ("",):
+            links.update(dict.fromkeys(_vertices_of(selected.Object, _plain(sub))))
+    return list(links)
+
+
+def _vertices_of(obj, sub):
+    path, _, element = sub.rpartition(".")
+    path = path + "." if path else ""
+    if not element:
+        count = len(Part.getShape(obj, path).Vertexes)
+        return [VertexLink.of(obj, f"{path}Vertex{number}") for number in range(1, count + 1)]
+    if element.startswith("Vertex"):
+        return [VertexLink.of(obj, sub)]
+    raise LinkError(translate("Osculate", "{} is no vertex.")
+                    .format(VertexLink.of(obj, sub).label()))

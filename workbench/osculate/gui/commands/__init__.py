@@ -4,9 +4,11 @@ import FreeCADGui
 
 from osculate.gui.commands.analyze_join import AnalyzeJoin
 from osculate.gui.commands.blend import Blend
+from osculate.gui.commands.interpolate import Interpolate
+from osculate.gui.commands.join import Join
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin, Blend)
+COMMANDS = (AnalyzeJoin, Blend, Join, Interpolate)
 
 
 def register():

@@ -29,7 +29,7 @@ class ConstructPanel:
         self._is_edit = obj is not None
         self._keeps = True
         self.preferences = preferences.load()
-        self.edges = EdgeChoice(self.edge_count)
+        self.edges = self.make_choice()
         self._joins_marked, self._join_marks = None, ()
         self._curve_mark = CurveMark()
         self._last_result = None  # that the handles are of
@@ -57,6 +57,18 @@ class ConstructPanel:
     def make_form(self):
         """The ConstructForm."""
         raise NotImplementedError
+
+    def make_choice(self):
+        """What holds the links that were picked."""
+        return EdgeChoice(self.edge_count)
+
+    def selected(self):
+        """Links to what is selected. Raises LinkError."""
+        return selected_links()
+
+    def links_in(self, obj):
+        """The links of an object, None for each that leads nowhere."""
+        return [_link_or_none(getattr(obj, name)) for name in self.edge_names]
 
     def link_settings(self):
         """The properties that follow from the edges, just selected, as a dict."""
@@ -100,7 +112,7 @@ class ConstructPanel:
         if self.edges.awaited is None:
             return
         try:
-            if self.edges.take(self._single_edges(selected_links())):
+            if self.edges.take(self._single_edges(self.selected())):
                 self._use_edges()
         except LinkError as error:
             self.form.advice.say(str(error), "warning")
@@ -133,12 +145,12 @@ class ConstructPanel:
         self.show()
 
     def _take_links_of(self, obj):
-        self.edges.show_links([_link_or_none(getattr(obj, name)) for name in self.edge_names])
+        self.edges.show_links(self.links_in(obj))
 
     def _follow_links(self):
         """A step back or another one's edit may have given the object other edges."""
         obj = self.session.obj
-        links = [_link_or_none(getattr(obj, name)) for name in self.edge_names] if obj else []
+        links = self.links_in(obj) if obj else []
         if links and None not in links and links != self.edges.links:
             self.edges.links = links
             self._mark_edges()

@@ -27,6 +27,12 @@ def edge_marks(links, side_colors):
     return marks
 
 
+def point_marks(points, color):
+    """Numbered tags at points."""
+    return [nodes.at(point, sprites.tag(str(number), color))
+            for number, point in enumerate(points, start=1)]
+
+
 def _points(link):
     try:
         edge = link.resolve()

@@ -1,0 +1,36 @@
+"""Three numbers of a point or a vector."""
+
+import FreeCAD
+
+from osculate.gui.panel.number_spin_box import NumberSpinBox
+from osculate.gui.qt import QtWidgets, Signal
+
+_LEAST_WIDTH = 60
+
+
+class VectorRow(QtWidgets.QWidget):
+    """A spin box for each coordinate."""
+
+    given = Signal(object)  #: a FreeCAD.Vector
+
+    def __init__(self, suffix=""):
+        super().__init__()
+        self.boxes = [NumberSpinBox(suffix) for _ in range(3)]
+        layout = QtWidgets.QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(4)
+        for box, axis in zip(self.boxes, "xyz"):
+            box.setToolTip(axis)
+            box.setMinimumWidth(_LEAST_WIDTH)
+            box.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored,
+                              QtWidgets.QSizePolicy.Policy.Fixed)
+            box.valueChanged.connect(self._changed)
+            layout.addWidget(box, 1)
+
+    def show_vector(self, vector):
+        """Shows a vector without telling anyone."""
+        for box, value in zip(self.boxes, vector):
+            box.show_value(value)
+
+    def _changed(self, _value):
+        self.given.emit(FreeCAD.Vector(*(box.value() for box in self.boxes)))
