@@ -26,7 +26,7 @@ double choose(int n, int k) {
 }
 
 /// B/w - A/v = (B v - A w) / (v w), by the product of Bernstein polynomials B_i^n B_j^n = C(n,i)
-/// C(n,j) / C(2n,i+j) B_{i+j}^{2n} (Farin, CAGD, sec. 6.10).
+/// C(n,j) / C(2n,i+j) B_{i+j}^{2n} (Farin, CAGD).
 Difference rationalDifference(const Net& a, const Net& b) {
   const int n = static_cast<int>(a.cols()) - 1;
   Difference result = Difference::Zero(4, 2 * n + 1);

@@ -129,8 +129,8 @@ std::vector<double> nuOf(const Task& task) {
   return nu;
 }
 
-/// The derivative at the first point of the parabola through the first three (Farin, CAGD, sec.
-/// 9.3), or the last ones; the chord's where there are two.
+/// The derivative at the first point of the parabola through the first three, or at the last one
+/// of that through the last three (Bessel's end condition: Farin, CAGD); of two points the chord's.
 Vector3 besselDerivative(const Task& task, bool atEnd) {
   const int spans = task.spans();
   const int near = atEnd ? spans - 1 : 0;

@@ -17,6 +17,7 @@ void bindBatch(py::module_& m);
 void bindConstruction(py::module_& m);
 void bindBlend(py::module_& m);
 void bindJoin(py::module_& m);
+void bindNuSpline(py::module_& m);
 void bindFeature(py::module_& m);
 void bindOcct(py::module_& m);
 

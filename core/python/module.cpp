@@ -29,6 +29,7 @@ PYBIND11_MODULE(_core, m) {
   python::bindConstruction(m);
   python::bindBlend(m);
   python::bindJoin(m);
+  python::bindNuSpline(m);
   python::bindFeature(m);
   python::bindOcct(m);
   showAsPublic(m);

@@ -71,3 +71,31 @@ def join(curves, *, tolerance=0.0):
     empty list, the same curve twice and a bad tolerance, TypeError for what is no curve.
     """
     return _core.join(shapes.curves_from(curves, "curves"), tolerance)
+
+
+def nu_spline(points, *, tension=0.0, parameters=None, ends="natural", closed=False):
+    """The cubic B-spline through points that is G2 and has a tension at each of them: the nu-spline
+    (Nielson 1974), as a Curve.
+
+    points: (n, 3) in mm, or a sequence of vectors; n at least 2, closed at least 3.
+    tension: >= 0, a number for all points or one for each, without dimension. 0 gives the C2 cubic
+        spline; the larger, the straighter the curve runs beside the point, towards the polygon. The
+        shape does not change when points or parameters are scaled: nu_i = tension_i times the mean
+        of 1/h of the parameter steps beside the point, and P'' jumps there by nu_i P'.
+    parameters: of the points, increasing; of a closed curve one more, the end of its period. Or how
+        to choose them, from 0 to the length of the polygon: None or "centripetal" (steps like the
+        square roots of the distances: Lee 1989), "chordal", "uniform".
+    ends: of an open curve. "natural" (least energy; no curvature at the end), "bessel" (the
+        derivative of the parabola through the three points there), or a pair, for each end one of
+        these or a tangent (x, y, z) in the direction of travel: the derivative divided by the mean
+        speed of the end span, so that a unit vector is neutral.
+    closed: True goes on from the last point to the first; do not repeat that. The curve is then
+        periodic.
+
+    Among all C1 curves through the points at these parameters it has the least int |P''|^2 dt + sum
+    nu_i |P'(t_i)|^2 (natural ends, or closed). Knots are double, simple where the tension is 0. The
+    cost is linear in n; the GIL is released.
+
+    Raises ValueError that names the argument and the rule, TypeError for what is of the wrong kind.
+    """
+    return _core.nu_spline(points, tension, parameters, ends, closed)
