@@ -5,6 +5,7 @@
     <name>App::Property</name>
     <message>
         <source>The edge that arrives at the join</source>
+        <extracomment>JoinReports of the inner knots, and of the closing</extracomment>
         <translation>Die Kante, die am Übergang ankommt</translation>
     </message>
     <message>
@@ -135,6 +136,7 @@
     </message>
     <message>
         <source>Whether the number is given; else it is chosen at each recompute</source>
+        <extracomment>&quot;start&quot; or &quot;end&quot;, in the direction of the edge</extracomment>
         <translation>Ob die Zahl vorgegeben ist; sonst wird sie bei jeder Neuberechnung gewählt</translation>
     </message>
     <message>
@@ -227,12 +229,67 @@
         <source>The reports of the joins as a JSON list, schema osculate.join/1</source>
         <translation>Die Berichte der Übergänge als JSON-Liste, Schema osculate.join/1</translation>
     </message>
+    <message>
+        <source>The vertices that the curve runs through, in this order</source>
+        <translation>Die Eckpunkte, durch die die Kurve läuft, in dieser Reihenfolge</translation>
+    </message>
+    <message>
+        <source>The points that it runs through where no vertices are linked</source>
+        <translation>Die Punkte, durch die sie läuft, wo keine Eckpunkte verknüpft sind</translation>
+    </message>
+    <message>
+        <source>The tension at all points that have none of their own; 0 for the C2 cubic spline, large for a polygon with round corners</source>
+        <translation>Die Spannung an allen Punkten, die keine eigene haben; 0 für den kubischen C2-Spline, groß für ein Polygon mit runden Ecken</translation>
+    </message>
+    <message>
+        <source>The tension of each point; a negative one stands for Tension</source>
+        <translation>Die Spannung jedes Punktes; eine negative steht für Tension</translation>
+    </message>
+    <message>
+        <source>Natural ends, those of a parabola, given tangents, or a closed curve</source>
+        <translation>Natürliche Enden, die einer Parabel, gegebene Tangenten oder eine geschlossene Kurve</translation>
+    </message>
+    <message>
+        <source>The direction in which the curve begins; a unit vector has a neutral speed</source>
+        <translation>Die Richtung, in der die Kurve beginnt; ein Einheitsvektor hat eine neutrale Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>The direction in which it ends, likewise</source>
+        <translation>Die Richtung, in der sie endet, ebenso</translation>
+    </message>
+    <message>
+        <source>How the parameter&apos;s steps follow from the distances of the points</source>
+        <translation>Wie die Schritte des Parameters aus den Abständen der Punkte folgen</translation>
+    </message>
+    <message>
+        <source>The edges of the chain; the first gives the direction</source>
+        <translation>Die Kanten der Kette; die erste gibt die Richtung an</translation>
+    </message>
+    <message>
+        <source>How far the curve may leave the edges to close gaps and to have fewer knots; 0 for not at all</source>
+        <translation>Wie weit die Kurve von den Kanten abweichen darf, um Lücken zu schließen und weniger Knoten zu haben; 0: gar nicht</translation>
+    </message>
+    <message>
+        <source>How far the curve leaves the edges at most</source>
+        <translation>Wie weit die Kurve höchstens von den Kanten abweicht</translation>
+    </message>
+    <message>
+        <source>G0 to G8, or gap, of the edges at each join, as they were</source>
+        <translation>G0 bis G8 oder Lücke der Kanten an jedem Übergang, wie sie waren</translation>
+    </message>
+    <message>
+        <source>The knots of the curve</source>
+        <translation>Die Knoten der Kurve</translation>
+    </message>
+    <message>
+        <source>The multiplicities of the knots</source>
+        <translation>Die Vielfachheiten der Knoten</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
     <message>
         <source>No edge is linked (its object was deleted?).</source>
-        <extracomment>The same departure, taken the other way.</extracomment>
         <translation>Es ist keine Kante verknüpft (wurde ihr Objekt gelöscht?).</translation>
     </message>
     <message>
@@ -241,6 +298,7 @@
     </message>
     <message>
         <source>{} no longer exists.</source>
+        <extracomment>The same departure, taken the other way.</extracomment>
         <translation>{} gibt es nicht mehr.</translation>
     </message>
     <message>
@@ -369,6 +427,7 @@
     </message>
     <message>
         <source>Join</source>
+        <extracomment>number of an edge, -1 or 1</extracomment>
         <translation>Übergang</translation>
     </message>
     <message>
@@ -554,15 +613,16 @@
     </message>
     <message>
         <source>Fixed: click to let it be chosen</source>
-        <extracomment>as it is shown</extracomment>
         <translation>Fest: Klicken lässt sie wählen</translation>
     </message>
     <message>
         <source>Chosen by fairness: click to fix it as it is</source>
+        <extracomment>as it is shown</extracomment>
         <translation>Nach Glätte gewählt: Klicken hält sie fest, wie sie ist</translation>
     </message>
     <message>
         <source>The speed at this end, as a share of the chord; it has a handle in the 3D view</source>
+        <extracomment>Neither depends on the order, the degree or the other, so that a handle stays where it is put.</extracomment>
         <translation>Die Geschwindigkeit an diesem Ende, als Anteil der Sehne; sie hat einen Griff in der 3D-Ansicht</translation>
     </message>
     <message>
@@ -575,7 +635,6 @@
     </message>
     <message>
         <source>Blend</source>
-        <extracomment>Neither depends on the order, the degree or the other, so that a handle stays where it is put.</extracomment>
         <translation>Überblenden</translation>
     </message>
     <message>
@@ -711,11 +770,11 @@
     </message>
     <message>
         <source>Deviations at the joins</source>
-        <extracomment>(key, distance from the mouse to the knob) of the dragged one</extracomment>
         <translation>Abweichungen an den Übergängen</translation>
     </message>
     <message>
         <source>Higher orders</source>
+        <extracomment>as ConstructForm.edited</extracomment>
         <translation>Höhere Ordnungen</translation>
     </message>
     <message>
@@ -742,6 +801,193 @@
         <source>Place on the edge</source>
         <extracomment>the slider was let go</extracomment>
         <translation>Stelle auf der Kante</translation>
+    </message>
+    <message>
+        <source>No vertex is linked (its object was deleted?).</source>
+        <translation>Kein Eckpunkt ist verknüpft (wurde sein Objekt gelöscht?).</translation>
+    </message>
+    <message>
+        <source>{} is linked without one vertex of it.</source>
+        <translation>{} ist ohne einen seiner Eckpunkte verknüpft.</translation>
+    </message>
+    <message>
+        <source>{} is not a vertex but a {}.</source>
+        <translation>{} ist kein Eckpunkt, sondern: {}.</translation>
+    </message>
+    <message>
+        <source>No edges are linked.</source>
+        <translation>Keine Kanten sind verknüpft.</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>Was</source>
+        <translation>War</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation>Ist</translation>
+    </message>
+    <message>
+        <source>The continuity of the edge with the next one</source>
+        <translation>Die Stetigkeit der Kante mit der nächsten</translation>
+    </message>
+    <message>
+        <source>The continuity of the joined curve there</source>
+        <translation>Die Stetigkeit der verbundenen Kurve dort</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <extracomment>number of a point, -1 or 1</extracomment>
+        <translation>Interpolieren</translation>
+    </message>
+    <message>
+        <source>Pick vertices: each click adds one or takes it out</source>
+        <translation>Eckpunkte auswählen: jeder Klick nimmt einen hinzu oder heraus</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>Of all points without their own: 0 is the smoothest curve, a large one nearly a polygon</source>
+        <translation>Aller Punkte ohne eigene: 0 ist die glatteste Kurve, eine große fast ein Polygon</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>Markiert</translation>
+    </message>
+    <message>
+        <source>The tension of the marked point</source>
+        <translation>Die Spannung des markierten Punktes</translation>
+    </message>
+    <message>
+        <source>How the parameter&apos;s steps follow from the distances of the points</source>
+        <translation>Wie die Schritte des Parameters aus den Abständen der Punkte folgen</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Erstes</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letztes</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Natürlich</translation>
+    </message>
+    <message>
+        <source>As a parabola</source>
+        <translation>Wie eine Parabel</translation>
+    </message>
+    <message>
+        <source>Given directions</source>
+        <translation>Gegebene Richtungen</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Centripetal</source>
+        <translation>Zentripetal</translation>
+    </message>
+    <message>
+        <source>By distance</source>
+        <translation>Nach Abstand</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Select the vertices that the curve is to run through, or an object for all its vertices; one that is selected again is taken out. Or add points by their coordinates with ＋.</source>
+        <translation>Die Eckpunkte auswählen, durch die die Kurve laufen soll, oder ein Objekt für alle seine Eckpunkte; ein nochmals ausgewählter kommt heraus. Oder mit ＋ Punkte durch ihre Koordinaten hinzufügen.</translation>
+    </message>
+    <message>
+        <source>At least two points are needed.</source>
+        <translation>Mindestens zwei Punkte sind nötig.</translation>
+    </message>
+    <message>
+        <source>Pick edges: each click adds one or takes it out</source>
+        <translation>Kanten auswählen: jeder Klick nimmt eine hinzu oder heraus</translation>
+    </message>
+    <message>
+        <source>How far the curve may leave the edges to close gaps and to have fewer knots; 0: not at all</source>
+        <translation>Wie weit die Kurve von den Kanten abweichen darf, um Lücken zu schließen und weniger Knoten zu haben; 0: gar nicht</translation>
+    </message>
+    <message>
+        <source>inner knots of multiplicity {}</source>
+        <translation>innere Knoten der Vielfachheit {}</translation>
+    </message>
+    <message>
+        <source>no inner knots</source>
+        <translation>keine inneren Knoten</translation>
+    </message>
+    <message>
+        <source>periodic</source>
+        <translation>periodisch</translation>
+    </message>
+    <message>
+        <source>Degree {}</source>
+        <translation>Grad {}</translation>
+    </message>
+    <message>
+        <source>{} spans</source>
+        <translation>{} Abschnitte</translation>
+    </message>
+    <message>
+        <source>It leaves the edges by at most {}.</source>
+        <translation>Sie weicht um höchstens {} von den Kanten ab.</translation>
+    </message>
+    <message>
+        <source>{} to {}</source>
+        <translation>{} bis {}</translation>
+    </message>
+    <message>
+        <source>Select the edges of a chain, or a whole wire or sketch; an edge that is selected again is taken out.</source>
+        <translation>Die Kanten einer Kette oder einen ganzen Kantenzug oder eine Skizze auswählen; eine nochmals ausgewählte Kante kommt heraus.</translation>
+    </message>
+    <message>
+        <source>At least two edges are joined.</source>
+        <translation>Mindestens zwei Kanten werden verbunden.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Move the marked row up</source>
+        <extracomment>number of a row, -1 or 1</extracomment>
+        <translation>Die markierte Zeile nach oben</translation>
+    </message>
+    <message>
+        <source>Move the marked row down</source>
+        <translation>Die markierte Zeile nach unten</translation>
+    </message>
+    <message>
+        <source>Take the marked rows out</source>
+        <translation>Die markierten Zeilen herausnehmen</translation>
+    </message>
+    <message>
+        <source>Add a point by its coordinates</source>
+        <translation>Einen Punkt durch seine Koordinaten hinzufügen</translation>
+    </message>
+    <message>
+        <source>That of all points: click to give the point its own</source>
+        <extracomment>what happens now is done here</extracomment>
+        <translation>Die aller Punkte: klicken, um dem Punkt eine eigene zu geben</translation>
+    </message>
+    <message>
+        <source>{} is no vertex.</source>
+        <translation>{} ist kein Eckpunkt.</translation>
     </message>
 </context>
 <context>
@@ -828,6 +1074,33 @@ Zwei Kanten auswählen, den Punkt zwischen ihnen oder einen ganzen Kantenzug ode
 Select two edges, or click first and select then.</source>
         <translation>Verbindet zwei Kanten durch eine Kurve, die jede mit einer eigenen Ordnung der Stetigkeit trifft, G0 bis G4.
 Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_Interpolate</name>
+    <message>
+        <source>Interpolate</source>
+        <extracomment>the class of the ConstructPanel</extracomment>
+        <translation>Interpolieren</translation>
+    </message>
+    <message>
+        <source>Runs a G2 curve through points, with a tension at each.
+Select vertices, or an object for all its vertices.</source>
+        <translation>Legt eine G2-Kurve durch Punkte, mit einer Spannung an jedem.
+Eckpunkte auswählen oder ein Objekt für alle seine Eckpunkte.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_Join</name>
+    <message>
+        <source>Join</source>
+        <translation type="unfinished">Übergang</translation>
+    </message>
+    <message>
+        <source>Makes one B-spline of the edges of a chain, with as few knots as their continuity allows.
+Select edges, or a whole wire or sketch.</source>
+        <translation>Macht aus den Kanten einer Kette einen B-Spline mit so wenigen Knoten, wie ihre Stetigkeit erlaubt.
+Kanten auswählen oder einen ganzen Kantenzug oder eine Skizze.</translation>
     </message>
 </context>
 <context>

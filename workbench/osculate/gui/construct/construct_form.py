@@ -64,7 +64,7 @@ class ConstructForm(QtWidgets.QWidget):
         """Shows what came out, or why nothing did."""
         self.trouble.say(error, "error")
         self.warnings.say("\n".join(result.warnings) if result else "", "warning")
-        self.verdicts.setVisible(result is not None)
+        self.verdicts.setVisible(result is not None and bool(self.reports(result)))
         self.energies.setVisible(result is not None)
         if result is not None:
             self.verdicts.show_reports(self.reports(result))

@@ -53,8 +53,17 @@ class InterpolatedPanel(ConstructPanel):
                                      "object for all its vertices; one that is selected again is "
                                      "taken out. Or add points by their coordinates with ＋.")
 
+    def extra_marks(self, _obj, _result):
+        return self._point_marks()  # over the curve, which would hide the numbers
+
     def _mark_edges(self):
-        self._edge_marks = point_marks(self._points(), self.preferences.side_colors[0])
+        self._edge_marks = self._point_marks() if self.session.result is None else []
+
+    def _mark_joins(self, _reports):
+        """Inner knots are always G2: rings would only hide the numbers."""
+
+    def _point_marks(self):
+        return point_marks(self._points(), self.preferences.side_colors[0])
 
     def _points(self):
         """The points of the object, or of the vertices that were picked so far."""
