@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -185,7 +186,7 @@ std::vector<ChainLink> walk(ChainLink link, const Partners& partners) {
 
 /// The curves that hang together with the first one.
 std::vector<ChainLink> linkedToFirst(const Partners& partners) {
-  const std::vector<ChainLink> ahead = walk({0, false}, partners);
+  std::vector<ChainLink> ahead = walk({0, false}, partners);
   if (partners[exit(ahead.back())]) return ahead;  // closed
   std::vector<ChainLink> links = walk({0, true}, partners);
   std::reverse(links.begin(), links.end());
@@ -195,25 +196,26 @@ std::vector<ChainLink> linkedToFirst(const Partners& partners) {
   return links;
 }
 
-/// The nearest ends of a curve that is linked and one that is not.
-[[noreturn]] void failGap(const std::vector<ChainLink>& linked, const Partners& partners,
-                          const Ends& ends) {
+/// The nearest ends of a curve that is linked with the first and one that is not. Of an open chain
+/// only its free ends count.
+Meeting nearestGap(const std::vector<ChainLink>& linked, const Partners& partners,
+                   const Ends& ends) {
   std::vector<bool> isLinked(ends.count() / 2, false);
   for (const ChainLink& link : linked)
     isLinked[link.index] = true;
   const bool closed = partners[exit(linked.back())].has_value();
   Meeting nearest{std::numeric_limits<double>::infinity(), 0, 0};
-  for (const ChainLink& link : linked) {
-    for (const std::size_t a : {entry(link), exit(link)}) {
-      if (partners[a] && !closed) continue;
-      for (std::size_t b = 0; b < ends.count(); ++b) {
-        if (isLinked[b / 2]) continue;
-        nearest =
-            std::min(nearest, Meeting{ends.distance(a, b), a, b},
-                     [](const Meeting& x, const Meeting& y) { return x.distance < y.distance; });
-      }
+  for (std::size_t a = 0; a < ends.count(); ++a) {
+    if (!isLinked[a / 2] || (partners[a] && !closed)) continue;
+    for (std::size_t b = 0; b < ends.count(); ++b) {
+      const double distance = ends.distance(a, b);
+      if (!isLinked[b / 2] && distance < nearest.distance) nearest = {distance, a, b};
     }
   }
+  return nearest;
+}
+
+[[noreturn]] void failGap(const Meeting& nearest, const Ends& ends) {
   std::ostringstream text;
   text << "curves: " << name(nearest.a / 2) << " and " << name(nearest.b / 2)
        << " are no chain: their nearest free ends are " << nearest.distance
@@ -226,7 +228,7 @@ std::vector<ChainLink> linkedToFirst(const Partners& partners) {
 CurveChain sortedChain(const Ends& ends) {
   const Partners found = partners(ends);
   CurveChain chain{.links = linkedToFirst(found), .closed = false, .sorted = true};
-  if (2 * chain.links.size() < ends.count()) failGap(chain.links, found, ends);
+  if (2 * chain.links.size() < ends.count()) failGap(nearestGap(chain.links, found, ends), ends);
   return chain;
 }
 

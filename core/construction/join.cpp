@@ -55,6 +55,7 @@ std::vector<ChainPart> partsOf(std::span<const BSplineCurve> curves, const Curve
 
 std::vector<BSplineCurve> curvesOf(const std::vector<ChainPart>& parts) {
   std::vector<BSplineCurve> curves;
+  curves.reserve(parts.size());
   for (const ChainPart& part : parts)
     curves.push_back(part.curve);
   return curves;

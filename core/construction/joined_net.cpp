@@ -263,6 +263,7 @@ std::vector<double> candidates(const JoinedNet& joined, int multiplicity) {
   if (joined.net.isPeriodic()) add(joined.net.flat.front(), 1);
   std::sort(found.begin(), found.end());
   std::vector<double> knots;
+  knots.reserve(found.size());
   for (const auto& [deviation, u] : found)
     knots.push_back(u);
   return knots;

@@ -134,7 +134,7 @@ std::vector<double> nuOf(const Task& task) {
 Vector3 besselDerivative(const Task& task, bool atEnd) {
   const int spans = task.spans();
   const int near = atEnd ? spans - 1 : 0;
-  const Vector3 slope = task.difference(near) / task.step(near);
+  Vector3 slope = task.difference(near) / task.step(near);
   if (spans == 1) return slope;
   const int far = atEnd ? spans - 2 : 1;
   const Vector3 other = task.difference(far) / task.step(far);
@@ -275,7 +275,7 @@ BSplineCurve curveOf(const Task& task, const Rows& derivatives) {
   const std::size_t poleCount = task.options.closed ? net.flat.size() : net.flat.size() - 4;
   for (std::size_t i = 0; i < poleCount; ++i) {
     const Vector3 pole = poles.at(points[i + 1], points[i + 2], points[i + 3]);
-    net.poles.push_back(pole.homogeneous());
+    net.poles.emplace_back(pole.homogeneous());
   }
   return osculate::curveOf(net);
 }
