@@ -33,8 +33,7 @@ def main():
     window = FreeCADGui.getMainWindow()
     window.resize(1400, 900)
     window.move(0, 0)
-    for dock in window.findChildren(QtWidgets.QDockWidget):
-        dock.setVisible(dock.objectName() in ("Combo View", "Tasks"))
+    hide_docks()
     FreeCADGui.activateWorkbench("OsculateWorkbench")
     preferences.parameters().Clear()
     set_background(LIGHT)
@@ -301,8 +300,15 @@ def widen_tree():
     pump()
 
 
+def hide_docks():
+    """Leaves only the tree and the panel; the report view opens by itself where it warns."""
+    for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
+        dock.setVisible(dock.objectName() in ("Combo View", "Tasks"))
+
+
 def grab(name):
     """The window as the screen shows it."""
+    hide_docks()
     pump()
     size = FreeCADGui.getMainWindow().size()
     screen = QtGui.QGuiApplication.primaryScreen()
