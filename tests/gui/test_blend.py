@@ -120,9 +120,12 @@ class EndTest(BlendCase):
         undos = self.doc.UndoCount
         form = self.blend_both()
         self.click(form.ends[0].order.buttons[1])
+        self.second.touch()  # as a command of someone else would
         self.finish("Cancel")
         self.assertEqual(self.names(), ["Left", "Right"])
         self.assertEqual(self.doc.UndoCount, undos)
+        self.assertNotIn("Touched", self.first.State)
+        self.assertIn("Touched", self.second.State)
 
     def test_cancel_without_edges(self):
         self.blend()

@@ -25,7 +25,7 @@ class Session(QtCore.QObject):
         self._name = obj.Name if obj else None
         self._steps, self._place = [], -1  # settings after each step; which of them holds
         self._energies = []
-        self._touched = _touched(document)  # before anything was done
+        self._fresh = _fresh(obj)  # names of what needed no recompute before anything was done
         self._title = title
         document.openTransaction(title)
         if obj is not None:
@@ -157,8 +157,8 @@ class Session(QtCore.QObject):
         with self._own_work():
             document.abortTransaction()
             self._undo_the_rest()
-            for name in _touched(document) - self._touched:
-                document.getObject(name).purgeTouched()
+            for obj in filter(None, map(document.getObject, self._fresh)):
+                obj.purgeTouched()
 
     def _undo_the_rest(self):
         """Another transaction may have ended this one, and kept what was done until then."""
@@ -223,6 +223,7 @@ class Session(QtCore.QObject):
             self.is_busy = was_busy
 
 
-def _touched(document):
-    """The names of the objects that wait for a recompute."""
-    return {obj.Name for obj in document.Objects if "Touched" in obj.State}
+def _fresh(obj):
+    """The names of those of an object and of what depends on it that wait for no recompute."""
+    affected = [] if obj is None else [obj, *obj.InListRecursive]
+    return [other.Name for other in affected if "Touched" not in other.State]
