@@ -1,4 +1,4 @@
-"""The panel in another language."""
+"""The panels in another language."""
 
 import FreeCADGui
 
@@ -27,11 +27,8 @@ class GermanTest(GuiCase):
         self.assertEqual(action.text(), "Übergang untersuchen")
         self.screenshot("german")
 
-
-class GermanBlendTest(GermanTest):
-    form_type = BlendForm
-
-    def test_panel_and_command(self):
+    def test_blend(self):
+        self.form_type = BlendForm
         first, second = samples.blend_ends(self.doc)
         self.select((first, "Edge1"), (second, "Edge1"))
         FreeCADGui.runCommand("Osculate_Blend")
