@@ -122,11 +122,11 @@ Side sideFrom(const py::object& value) {
 
 const char* name(CurveEnd end) { return end == CurveEnd::kStart ? "start" : "end"; }
 
-CurveEnd endFrom(const py::handle& value) {
+CurveEnd endFrom(const py::handle& value, const char* argument) {
   const std::string text = py::str(value);
   if (text == "start") return CurveEnd::kStart;
   if (text == "end") return CurveEnd::kEnd;
-  throw std::invalid_argument("ends: each must be 'start' or 'end', got " +
+  throw std::invalid_argument(std::string(argument) + " must be 'start' or 'end', got " +
                               std::string(py::repr(value)));
 }
 

@@ -38,8 +38,8 @@ bool boolFrom(const py::object& value, const char* argument);
 py::sequence pairFrom(const py::object& value, const char* argument, const char* wanted);
 /// "left" or "right".
 Side sideFrom(const py::object& value);
-/// "start" or "end".
-CurveEnd endFrom(const py::handle& value);
+/// "start" or "end". `argument` begins the error.
+CurveEnd endFrom(const py::handle& value, const char* argument = "ends: each");
 /// None, or a pair of "start" and "end".
 std::optional<JoinEnds> endsFrom(const py::object& value);
 /// None, a Tolerances, or the name of a preset.

@@ -106,6 +106,10 @@ void bindRecord(py::module_& m) {
       .def_property_readonly(
           "max_displacement_mm", [](const Record& self) { return self.maxDisplacementMm; },
           "The largest distance by which a curve was changed; None where none was, as by a blend.")
+      .def_property_readonly(
+          "free_numbers", [](const Record& self) { return self.freeNumbers; },
+          "How many numbers an extension's request left free, so that fairness chose them; else "
+          "None.")
       .def("__repr__", &repr);
 }
 
@@ -130,21 +134,21 @@ int orderFrom(const py::object& value) {
   return order;
 }
 
-GivenNumbers givenNumbersFrom(const py::object& value, int order) {
+GivenNumbers givenNumbersFrom(const py::object& value, int order, const char* argument,
+                              const char* wanted) {
   GivenNumbers numbers;
   if (value.is_none()) return numbers;
-  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value)) {
-    failType("beta", "None or a pair of tuples of numbers", value);
-  }
+  if (!py::isinstance<py::tuple>(value) && !py::isinstance<py::list>(value))
+    failType(argument, wanted, value);
   const py::sequence given = value;
   if (given.size() > static_cast<std::size_t>(order)) {
-    throw std::invalid_argument("beta: an end of order " + std::to_string(order) + " has " +
-                                std::to_string(order) + " numbers, got " +
-                                std::to_string(given.size()));
+    throw std::invalid_argument(std::string(argument) + ": an end of order " +
+                                std::to_string(order) + " has " + std::to_string(order) +
+                                " numbers, got " + std::to_string(given.size()));
   }
   for (std::size_t k = 0; k < given.size(); ++k) {
     const py::object number = given[k];
-    if (!number.is_none()) numbers[k] = numberFrom(number, "beta");
+    if (!number.is_none()) numbers[k] = numberFrom(number, argument);
   }
   return numbers;
 }

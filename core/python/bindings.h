@@ -16,6 +16,7 @@ void bindContinuity(py::module_& m);
 void bindBatch(py::module_& m);
 void bindConstruction(py::module_& m);
 void bindBlend(py::module_& m);
+void bindExtend(py::module_& m);
 void bindJoin(py::module_& m);
 void bindNuSpline(py::module_& m);
 void bindFeature(py::module_& m);

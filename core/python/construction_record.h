@@ -28,8 +28,10 @@ inline RecordPointer recordOf(Construction construction) {
 
 /// 0..kMaxOrder.
 int orderFrom(const py::object& value);
-/// None for no numbers, or a tuple of at most `order` numbers, each None where it is chosen.
-GivenNumbers givenNumbersFrom(const py::object& value, int order);
+/// None for no numbers, or a tuple of at most `order` numbers, each None where it is chosen. Errors
+/// name the argument.
+GivenNumbers givenNumbersFrom(const py::object& value, int order, const char* argument = "beta",
+                              const char* wanted = "None or a pair of tuples of numbers");
 /// None for the least degree, which the core calls 0.
 int degreeFrom(const py::object& value);
 /// "mvc", "bending" or None.

@@ -28,6 +28,7 @@ PYBIND11_MODULE(_core, m) {
   python::bindBatch(m);
   python::bindConstruction(m);
   python::bindBlend(m);
+  python::bindExtend(m);
   python::bindJoin(m);
   python::bindNuSpline(m);
   python::bindFeature(m);

@@ -17,7 +17,7 @@ from osculate._core import (
     MAX_ORDER, Construction, Curve, DefinitionDetail, FrenetFrame, JoinReport, JoinSide,
     JoinWarning, OcctError, PointGeometry, TolerancePreset, Tolerances, __version__)
 from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins
-from osculate.construction import blend, join, nu_spline
+from osculate.construction import blend, extend, join, nu_spline
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
 from osculate.fairness import energies
@@ -26,5 +26,6 @@ __all__ = [
     "Construction", "ContactError", "Curve", "DefinitionDetail", "FrenetFrame", "JoinBatch",
     "JoinReport", "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry",
     "TolerancePreset", "Tolerances", "VERDICTS", "__version__", "analyze", "analyze_edge",
-    "analyze_joins", "blend", "energies", "join", "nu_spline", "write_csv", "write_json",
+    "analyze_joins", "blend", "energies", "extend", "join", "nu_spline", "write_csv",
+    "write_json",
 ]

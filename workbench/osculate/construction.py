@@ -42,6 +42,55 @@ def blend(a, b, *, order=3, ends=None, beta=None, degree=None, fairness="mvc", s
     return _core.blend(first, second, order, ends, beta, degree, fairness, symmetric)
 
 
+def extend(a, *, end="end", order=4, degree=None, beta=None, length=None, tangential=None,
+           to_point=None, to_direction=None, to_curvature=None, parametric=False, parameter=None,
+           natural=False, fairness="mvc"):
+    """A polynomial Bézier curve that continues one curve beyond its end with contact of an order,
+    as a Construction. The curve is not changed; the new one begins at that end.
+
+    a: Part.Edge (any curve type, trimmed, reversed, placed, rational, periodic) or Curve.
+    end: "end", or "start" for the other one, from where the new curve travels backwards.
+    order: of contact, 0 to 8.
+    degree: 1 to 25; None for the lowest from the order up that can meet the request. A degree below
+        the order is taken on request, where a curve of it exists: a cubic meets every curve that
+        bends and twists with G4. Where none does, the error says which degree can.
+    beta: (beta_1, ..), as many numbers as the order at most; those that are None or left out are
+        free. beta_k = (d^k s/dt^k) / chord of the new curve, without dimension; see blend. All of
+        them, with a degree not above the order, fix the chord too.
+    tangential: the tangential coordinates of the poles C_1, C_2, .. in mm, measured along the
+        tangent from the end, in place of beta: as many as the order at most, None where free.
+    length: of the new curve in mm. Where neither it nor to_point nor numbers in mm are given: the
+        reach of the curve, the distance from this end to its other end or its middle, the larger.
+    to_point: where the new curve ends.
+    to_direction: its tangent there, in the direction of travel; of any length.
+    to_curvature: there, in 1/mm: a number for the magnitude of the curvature, a vector for the
+        curvature vector (curvature times normal).
+    parametric: True for C^m in the curve's own parameter in place of G^m. The new curve then has
+        the parameter range [0, h], h the length of the last knot interval; else it is over [0, 1].
+    parameter: t > 0: the curve with C^m, and of it by de Casteljau the part up to t, so that it is
+        G^m: shorter for t < 1.
+    natural: True for the curve's own continuation: a circle goes on as the same circle. A B-spline
+        where one Bézier segment of a rational curve cannot. Only length, end and order can be
+        given; the join is analysed up to that order.
+    fairness: how numbers that the request leaves free are chosen: "mvc" or "bending", see blend.
+        None: there must be none. A first leg that is free keeps at least 0.35 of an even one.
+
+    `free_numbers` of the result tells how many numbers the request left free. Its `warnings` name a
+    cramped join, a sharp bend towards the targets, and where rounding keeps the join from its
+    order. The same arguments always give the same curve; it is computed without the GIL.
+
+    Raises ContactError (a ValueError) where no such curve can be, with what can: a degree too low,
+    requests that contradict each other, more conditions than free numbers or, without fairness,
+    fewer, a singular end without derivatives of the order. Raises ValueError that names the
+    argument and the rule for other values, TypeError for what is no curve or of the wrong kind.
+    """
+    return _core.extend(
+        shapes.curve_from(a, "a"), end=end, order=order, degree=degree, beta=beta, length=length,
+        tangential=tangential, to_point=to_point, to_direction=to_direction,
+        to_curvature=to_curvature, parametric=parametric, parameter=parameter, natural=natural,
+        fairness=fairness)
+
+
 def join(curves, *, tolerance=0.0):
     """One B-spline that runs through the curves of a chain, as a Construction: of the highest
     degree among them, with the lowest knot multiplicities that their parametric continuity allows
