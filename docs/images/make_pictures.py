@@ -18,6 +18,7 @@ from osculate.gui import preferences, resources
 from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.construct.interpolated_form import InterpolatedForm
 from osculate.gui.construct.joined_form import JoinedForm
+from osculate.gui.construct.extend_form import ExtendForm
 from osculate.gui.panel.panel_form import PanelForm
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.qt import QtCore, QtGui, QtWidgets
@@ -46,6 +47,7 @@ def main():
     draw_handles()
     draw_join()
     draw_interpolate()
+    draw_extend()
     draw_preferences()
 
 
@@ -201,29 +203,67 @@ def draw_handles():
     FreeCAD.closeDocument(document.Name)
 
 
+def draw_extend():
+    """extend.png: an edge that goes on to a vertex, the panel and the handles."""
+    document = open_curves(Edge=((0, 0, 0), (30, 0, 0), (60, 10, 0), (80, 35, 5)))
+    goal = document.addObject("Part::Feature", "Goal")
+    goal.Shape = Part.Vertex(150, 60, 20)
+    goal.ViewObject.PointSize = 7.0
+    document.recompute()
+    look(document, "viewIsometric", 1.0)
+    form = construct(document, "Osculate_Extend", ExtendForm, "Edge")
+    form.order.buttons[3].click()
+    form.targets.pick.click()
+    FreeCADGui.Selection.addSelection(document.Name, "Goal", "Vertex1")
+    pump()
+    form.targets.direction.click()
+    for box, value in zip(form.targets.vector.boxes, (1.0, 0.0, 0.0)):
+        box.setValue(value)
+    form.degree.setValue(7)
+    pump()
+    grab("extend")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
 def open_blend_ends():
     """Two curves in space with a gap between them."""
-    document = FreeCAD.newDocument("Gap")
-    for name, poles in (("Left", ((0, 0, 0), (30, 0, 0), (60, 10, 0), (80, 35, 5))),
-                        ("Right", ((150, 60, 20), (175, 55, 30), (200, 35, 30), (215, 0, 15)))):
+    return open_curves(Left=((0, 0, 0), (30, 0, 0), (60, 10, 0), (80, 35, 5)),
+                       Right=((150, 60, 20), (175, 55, 30), (200, 35, 30), (215, 0, 15)))
+
+
+def open_curves(**poles_of):
+    """A document with a Bézier curve for each name."""
+    document = FreeCAD.newDocument("Curves")
+    for name, poles in poles_of.items():
         curve = Part.BezierCurve()
         curve.setPoles([V(*pole) for pole in poles])
         document.addObject("Part::Feature", name).Shape = curve.toShape()
     document.recompute()
-    for obj in document.Objects:
-        obj.ViewObject.LineWidth = 3.0
-        obj.ViewObject.LineColor = INK
+    ink(document)
     return document
 
 
+def ink(document):
+    """Draws all curves of a document plainly."""
+    for obj in document.Objects:
+        obj.ViewObject.LineWidth = 3.0
+        obj.ViewObject.LineColor = INK
+
+
 def blend(document):
-    """The command on the two objects of a document; returns the panel's form."""
+    """Blend on the two objects of a document; returns the panel's form."""
+    return construct(document, "Osculate_Blend", BlendForm, "Left", "Right")
+
+
+def construct(document, command, kind, *names):
+    """A command on the edges of some objects; returns the panel's form."""
     FreeCADGui.Selection.clearSelection()
-    for name in ("Left", "Right"):
+    for name in names:
         FreeCADGui.Selection.addSelection(document.Name, name, "Edge1")
-    FreeCADGui.runCommand("Osculate_Blend")
+    FreeCADGui.runCommand(command)
     pump()
-    return find_form(BlendForm)
+    return find_form(kind)
 
 
 def draw_preferences():

@@ -112,6 +112,9 @@ def command_icons():
                  dot(32, 17, 4, *NODE)),
         "interpolate": (stroke("M6 36 C10 10 20 8 24 24 C28 40 38 38 42 12", GOOD, 4.6),
                         dot(6, 36, 4, *NODE), dot(24, 24, 4, *NODE), dot(42, 12, 4, *NODE)),
+        "extend": (stroke("M4 40 C10 42 17 38 21 31", FIRST, 4.6),
+                   stroke("M21 31 C25 23 28 13 40 9", GOOD, 4.6),
+                   stroke("M32.5 6.5 L41.5 8.6 L37 16.5", GOOD, 4.2), dot(21, 31, 4, *NODE)),
         "keep": pin,
     }
 

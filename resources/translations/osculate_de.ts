@@ -285,6 +285,91 @@
         <source>The multiplicities of the knots</source>
         <translation>Die Vielfachheiten der Knoten</translation>
     </message>
+    <message>
+        <source>How far the pole of this number lies ahead of the end along the tangent</source>
+        <extracomment>Which numbers the user gives.</extracomment>
+        <translation>Wie weit der Pol dieser Nummer längs der Tangente vor dem Ende liegt</translation>
+    </message>
+    <message>
+        <source>The edge that is continued</source>
+        <translation>Die Kante, die fortgesetzt wird</translation>
+    </message>
+    <message>
+        <source>The end at which it is continued</source>
+        <translation>Das Ende, an dem sie fortgesetzt wird</translation>
+    </message>
+    <message>
+        <source>Whether the shape is a wire of the edge and its continuation, not the continuation alone</source>
+        <translation>Ob die Form ein Kantenzug aus der Kante und ihrer Fortsetzung ist, nicht die Fortsetzung allein</translation>
+    </message>
+    <message>
+        <source>Geometric: the shape goes on; parametric: its parameter too; re-parametrised: likewise, and cut at Parameter; natural: the curve itself goes on</source>
+        <translation>Geometric: die Form geht weiter; parametric: auch ihr Parameter; re-parametrised: ebenso, bei Parameter abgeschnitten; natural: die Kurve selbst geht weiter</translation>
+    </message>
+    <message>
+        <source>Order of contact with the edge, 0 to 8</source>
+        <translation>Ordnung der Berührung mit der Kante, 0 bis 8</translation>
+    </message>
+    <message>
+        <source>Which part of the parametric continuation over 0 to 1 is taken</source>
+        <translation>Welcher Teil der parametrischen Fortsetzung über 0 bis 1 genommen wird</translation>
+    </message>
+    <message>
+        <source>The degree; 0 for the least that can</source>
+        <translation>Der Grad; 0 für den kleinsten, der es kann</translation>
+    </message>
+    <message>
+        <source>The length of the continuation</source>
+        <translation>Die Länge der Fortsetzung</translation>
+    </message>
+    <message>
+        <source>Whether the length is given; else it follows from all else</source>
+        <translation>Ob die Länge gegeben ist; sonst folgt sie aus allem anderen</translation>
+    </message>
+    <message>
+        <source>What chooses the free numbers: least variation of curvature, least bending, or none (there must be no free ones)</source>
+        <translation>Was die freien Zahlen wählt: kleinste Änderung der Krümmung, kleinste Biegung oder nichts (dann darf keine frei sein)</translation>
+    </message>
+    <message>
+        <source>Which numbers are given: beta, or tangential coordinates of the poles</source>
+        <translation>Welche Zahlen gegeben werden: Beta oder tangentiale Koordinaten der Pole</translation>
+    </message>
+    <message>
+        <source>Whether the continuation ends at a vertex or a position</source>
+        <translation>Ob die Fortsetzung an einem Eckpunkt oder an einer Stelle endet</translation>
+    </message>
+    <message>
+        <source>The vertex at which it ends</source>
+        <translation>Der Eckpunkt, an dem sie endet</translation>
+    </message>
+    <message>
+        <source>The point at which it ends</source>
+        <translation>Der Punkt, an dem sie endet</translation>
+    </message>
+    <message>
+        <source>Whether it arrives there in a given direction</source>
+        <translation>Ob sie dort in einer gegebenen Richtung ankommt</translation>
+    </message>
+    <message>
+        <source>The direction of the tangent at its far end</source>
+        <translation>Die Richtung der Tangente an ihrem fernen Ende</translation>
+    </message>
+    <message>
+        <source>Whether it arrives with a given curvature, its magnitude or its vector</source>
+        <translation>Ob sie mit einer gegebenen Krümmung ankommt, deren Betrag oder Vektor</translation>
+    </message>
+    <message>
+        <source>The curvature at its far end in 1/mm, 0 for straight</source>
+        <translation>Die Krümmung an ihrem fernen Ende in 1/mm, 0 für gerade</translation>
+    </message>
+    <message>
+        <source>The curvature vector at its far end in 1/mm, towards the centre</source>
+        <translation>Der Krümmungsvektor an ihrem fernen Ende in 1/mm, zum Mittelpunkt hin</translation>
+    </message>
+    <message>
+        <source>How many numbers were left free, so that fairness chose them</source>
+        <translation>Wie viele Zahlen frei blieben, sodass die Glätte sie wählte</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
@@ -549,7 +634,7 @@
     </message>
     <message>
         <source>Select two edges that meet (Ctrl adds the second), the vertex between them, or a whole wire or sketch.</source>
-        <extracomment>Proxy class of a document object -&gt; module and class of its view, loaded when it is used.</extracomment>
+        <extracomment>may be, as a share of its length.</extracomment>
         <translation>Zwei Kanten auswählen, die sich treffen (die zweite mit Strg), den Punkt zwischen ihnen oder einen ganzen Kantenzug oder eine Skizze.</translation>
     </message>
     <message>
@@ -982,12 +1067,162 @@
     </message>
     <message>
         <source>That of all points: click to give the point its own</source>
-        <extracomment>what happens now is done here</extracomment>
         <translation>Die aller Punkte: klicken, um dem Punkt eine eigene zu geben</translation>
     </message>
     <message>
         <source>{} is no vertex.</source>
         <translation>{} ist kein Eckpunkt.</translation>
+    </message>
+    <message>
+        <source>least ({})</source>
+        <translation>min. ({})</translation>
+    </message>
+    <message>
+        <source>Extend</source>
+        <translation>Verlängern</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>{} ({} free)</source>
+        <translation>{} ({} frei)</translation>
+    </message>
+    <message>
+        <source>Nothing fixes {} numbers; fairness chose them</source>
+        <translation>Nichts hält {} Zahlen fest; die Glätte wählte sie</translation>
+    </message>
+    <message>
+        <source>Together with the edge</source>
+        <translation>Zusammen mit der Kante</translation>
+    </message>
+    <message>
+        <source>One wire of the edge and its continuation, as a sweep takes it</source>
+        <translation>Ein Kantenzug aus der Kante und ihrer Fortsetzung, wie ein Sweep ihn nimmt</translation>
+    </message>
+    <message>
+        <source>given as</source>
+        <translation>gegeben als</translation>
+    </message>
+    <message>
+        <source>The shape goes on (G)</source>
+        <translation>Die Form geht weiter (G)</translation>
+    </message>
+    <message>
+        <source>The parameter goes on too (C)</source>
+        <translation>Auch der Parameter geht weiter (C)</translation>
+    </message>
+    <message>
+        <source>Likewise, up to a parameter</source>
+        <translation>Ebenso, bis zu einem Parameter</translation>
+    </message>
+    <message>
+        <source>The curve itself goes on</source>
+        <translation>Die Kurve selbst geht weiter</translation>
+    </message>
+    <message>
+        <source>Geometric continuity of the order chosen; all numbers are free</source>
+        <translation>Geometrische Stetigkeit der gewählten Ordnung; alle Zahlen sind frei</translation>
+    </message>
+    <message>
+        <source>Derivatives by the edge&apos;s own parameter, up to the order chosen</source>
+        <translation>Ableitungen nach dem Parameter der Kante, bis zur gewählten Ordnung</translation>
+    </message>
+    <message>
+        <source>Of the parametric continuation over 0 to 1 the part up to a parameter, by de Casteljau</source>
+        <translation>Von der parametrischen Fortsetzung über 0 bis 1 der Teil bis zu einem Parameter, nach de Casteljau</translation>
+    </message>
+    <message>
+        <source>The same polynomial or rational curve beyond its end: a circle stays this circle</source>
+        <translation>Dieselbe polynomiale oder rationale Kurve über ihr Ende hinaus: ein Kreis bleibt dieser Kreis</translation>
+    </message>
+    <message>
+        <source>β, speeds as shares of the chord</source>
+        <translation>β, Geschwindigkeiten als Anteile der Sehne</translation>
+    </message>
+    <message>
+        <source>C, tangential coordinates of poles</source>
+        <translation>C, tangentiale Koordinaten der Pole</translation>
+    </message>
+    <message>
+        <source>Select the edge that is to go on, near the end where it does, or the vertex there.</source>
+        <translation>Wählen Sie die Kante, die weitergehen soll, nahe dem Ende, an dem sie es tut, oder den Eckpunkt dort.</translation>
+    </message>
+    <message>
+        <source>The vertex must be in the same document.</source>
+        <translation>Der Eckpunkt muss im selben Dokument sein.</translation>
+    </message>
+    <message>
+        <source>Click a vertex, which is followed, or a place on an edge or a face.</source>
+        <translation>Klicken Sie einen Eckpunkt an, dem gefolgt wird, oder eine Stelle auf einer Kante oder Fläche.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>The length of the curve that is made</source>
+        <translation>Die Länge der Kurve, die entsteht</translation>
+    </message>
+    <message>
+        <source>Follows from all else: click to fix it as it is</source>
+        <extracomment>mm, in the middle of the slider</extracomment>
+        <translation>Folgt aus allem anderen: Klicken hält sie fest, wie sie ist</translation>
+    </message>
+    <message>
+        <source>How far pole {} lies ahead of the end along the tangent</source>
+        <translation>Wie weit Pol {} längs der Tangente vor dem Ende liegt</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <extracomment>mm, at the right end of the slider</extracomment>
+        <translation>Bis zu</translation>
+    </message>
+    <message>
+        <source>Which part of the parametric continuation over 0 to 1 is taken; more than 1 lets it go on</source>
+        <translation>Welcher Teil der parametrischen Fortsetzung über 0 bis 1 genommen wird; mehr als 1 lässt sie weitergehen</translation>
+    </message>
+    <message>
+        <source>Pick a vertex, or a place on an edge or a face, in the 3D view</source>
+        <extracomment>whether the next click gives the point</extracomment>
+        <translation>Einen Eckpunkt oder eine Stelle auf einer Kante oder Fläche in der 3D-Ansicht wählen</translation>
+    </message>
+    <message>
+        <source>in a direction</source>
+        <translation>in einer Richtung</translation>
+    </message>
+    <message>
+        <source>The direction of the tangent at the far end, as a vector of any length</source>
+        <translation>Die Richtung der Tangente am fernen Ende, als Vektor beliebiger Länge</translation>
+    </message>
+    <message>
+        <source>to no point</source>
+        <translation>zu keinem Punkt</translation>
+    </message>
+    <message>
+        <source>to the vertex</source>
+        <translation>zum Eckpunkt</translation>
+    </message>
+    <message>
+        <source>to the point</source>
+        <translation>zum Punkt</translation>
+    </message>
+    <message>
+        <source>of any curvature</source>
+        <translation>mit beliebiger Krümmung</translation>
+    </message>
+    <message>
+        <source>of curvature</source>
+        <translation>mit Krümmung</translation>
+    </message>
+    <message>
+        <source>of curvature vector</source>
+        <translation>mit Krümmungsvektor</translation>
     </message>
 </context>
 <context>
@@ -1077,10 +1312,23 @@ Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
     </message>
 </context>
 <context>
+    <name>Osculate_Extend</name>
+    <message>
+        <source>Extend</source>
+        <extracomment>the class of the ConstructPanel</extracomment>
+        <translation>Verlängern</translation>
+    </message>
+    <message>
+        <source>Continues an edge beyond one of its ends with continuity G0 to G4: to a length, a point, a direction, a curvature.
+Select the edge near the end, or click first and select then.</source>
+        <translation>Setzt eine Kante über eines ihrer Enden hinaus mit Stetigkeit G0 bis G4 fort: bis zu einer Länge, einem Punkt, einer Richtung, einer Krümmung.
+Wählen Sie die Kante nahe dem Ende, oder klicken Sie zuerst und wählen dann.</translation>
+    </message>
+</context>
+<context>
     <name>Osculate_Interpolate</name>
     <message>
         <source>Interpolate</source>
-        <extracomment>the class of the ConstructPanel</extracomment>
         <translation>Interpolieren</translation>
     </message>
     <message>
@@ -1094,7 +1342,7 @@ Eckpunkte auswählen oder ein Objekt für alle seine Eckpunkte.</translation>
     <name>Osculate_Join</name>
     <message>
         <source>Join</source>
-        <translation type="unfinished">Übergang</translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>Makes one B-spline of the edges of a chain, with as few knots as their continuity allows.

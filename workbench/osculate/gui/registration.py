@@ -5,6 +5,7 @@ from importlib import import_module
 
 from osculate.features import views
 from osculate.features.blend_curve import BlendCurve
+from osculate.features.extended_curve import ExtendedCurve
 from osculate.features.interpolated_curve import InterpolatedCurve
 from osculate.features.join_check import JoinCheck
 from osculate.features.joined_curve import JoinedCurve
@@ -28,6 +29,7 @@ def register(gui):
 _VIEWS = {
     JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
     BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
+    ExtendedCurve: ("osculate.gui.construct.extend_view", "ExtendedCurveView"),
     JoinedCurve: ("osculate.gui.construct.joined_view", "JoinedCurveView"),
     InterpolatedCurve: ("osculate.gui.construct.interpolated_view", "InterpolatedCurveView"),
 }

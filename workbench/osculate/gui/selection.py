@@ -1,11 +1,17 @@
 """From what the user selected to links to edges, or to a sentence that says what to select."""
 
 import FreeCADGui
+import numpy
 import Part
 
+from osculate import shapes
 from osculate.features.edge_link import (
     EdgeLink, LinkError, VertexLink, edges_of_object, resolve_all)
 from osculate.gui.qt import translate
+
+#: How finely an edge is looked at to find the end nearer to a click, and how far off it the click
+#: may be, as a share of its length.
+_SAMPLES, _NEARNESS = 64, 0.1
 
 
 def what_to_select():
@@ -79,3 +85,34 @@ def _vertices_of(obj, sub):
         return [VertexLink.of(obj, sub)]
     raise LinkError(translate("Osculate", "{} is no vertex.")
                     .format(VertexLink.of(obj, sub).label()))
+
+
+def selected_point():
+    """The last selected vertex as a VertexLink, and the last place that was clicked in the 3D view
+    as a vector; each None where there is none.
+    """
+    link = point = None
+    for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
+        clicked = [place for place in selected.PickedPoints if any(place)]  # zero stands for none
+        point = clicked[-1] if clicked else point
+        for sub in map(_plain, selected.SubElementNames):
+            if sub.rpartition(".")[2].startswith("Vertex"):
+                link = VertexLink.of(selected.Object, sub)
+    return link, point
+
+
+def end_near_click(edge):
+    """"start" or "end" of the edge, whichever is nearer along it to where it was clicked or to the
+    vertex that was selected; None if nothing on it was clicked.
+    """
+    link, point = selected_point()
+    point = link.resolve().Point if link else point
+    if point is None:
+        return None
+    curve = shapes.curve_from_edge(edge)
+    first, last = curve.parameter_range
+    samples = curve.evaluate(numpy.linspace(first, last, _SAMPLES + 1))[:, 0]
+    distances = numpy.linalg.norm(samples - tuple(point), axis=1)
+    if distances.min() > _NEARNESS * edge.Length:
+        return None  # the selection came from the tree or from a script
+    return "start" if distances.argmin() < _SAMPLES / 2 else "end"

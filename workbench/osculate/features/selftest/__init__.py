@@ -4,9 +4,10 @@ They need no GUI and run as well inside FreeCAD's own test framework, which want
 """
 
 from osculate.features.selftest.blend_curve_test import BlendCurveTest
+from osculate.features.selftest.extended_curve_test import ExtendedCurveTest
 from osculate.features.selftest.interpolated_curve_test import InterpolatedCurveTest
 from osculate.features.selftest.joined_curve_test import JoinedCurveTest
 from osculate.features.selftest.joins_test import JoinCheckTest, JoinsTest
 
-__all__ = ["BlendCurveTest", "InterpolatedCurveTest", "JoinCheckTest", "JoinedCurveTest",
-           "JoinsTest"]
+__all__ = ["BlendCurveTest", "ExtendedCurveTest", "InterpolatedCurveTest", "JoinCheckTest",
+           "JoinedCurveTest", "JoinsTest"]

@@ -4,11 +4,12 @@ import FreeCADGui
 
 from osculate.gui.commands.analyze_join import AnalyzeJoin
 from osculate.gui.commands.blend import Blend
+from osculate.gui.commands.extend import Extend
 from osculate.gui.commands.interpolate import Interpolate
 from osculate.gui.commands.join import Join
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin, Blend, Join, Interpolate)
+COMMANDS = (AnalyzeJoin, Blend, Extend, Join, Interpolate)
 
 
 def register():

@@ -4,6 +4,8 @@ from osculate.gui import numbers
 from osculate.gui.panel.report_label import ReportLabel
 from osculate.gui.qt import translate
 
+_MOST_PERCENT = 900.0  # what grows more is shown by its factor
+
 
 class EnergyTable(ReportLabel):
     """One row for each energy: its name, before, now, the change in percent."""
@@ -37,4 +39,6 @@ def _change(before, now):
     if not before:
         return numbers.MISSING
     percent = 100.0 * (now / before - 1.0)
+    if percent > _MOST_PERCENT:
+        return f"× {numbers.number(now / before, 3)}"
     return "0 %" if abs(percent) < 0.05 else f"{percent:+.1f} %".replace("-", "−")

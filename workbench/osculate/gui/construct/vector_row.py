@@ -6,21 +6,22 @@ from osculate.gui.panel.number_spin_box import NumberSpinBox
 from osculate.gui.qt import QtWidgets, Signal
 
 _LEAST_WIDTH = 60
+_DIGITS = 4  # of a number without a suffix: so many have room
 
 
 class VectorRow(QtWidgets.QWidget):
-    """A spin box for each coordinate."""
+    """A spin box for each coordinate, with a suffix or, where it is narrow, a unit in its tip."""
 
     given = Signal(object)  #: a FreeCAD.Vector
 
-    def __init__(self, suffix=""):
+    def __init__(self, suffix="", unit=""):
         super().__init__()
-        self.boxes = [NumberSpinBox(suffix) for _ in range(3)]
+        self.boxes = [NumberSpinBox(suffix) if suffix else _ShortSpinBox() for _ in range(3)]
         layout = QtWidgets.QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(4)
         for box, axis in zip(self.boxes, "xyz"):
-            box.setToolTip(axis)
+            box.setToolTip(f"{axis} {suffix or unit}")
             box.setMinimumWidth(_LEAST_WIDTH)
             box.setSizePolicy(QtWidgets.QSizePolicy.Policy.Ignored,
                               QtWidgets.QSizePolicy.Policy.Fixed)
@@ -34,3 +35,8 @@ class VectorRow(QtWidgets.QWidget):
 
     def _changed(self, _value):
         self.given.emit(FreeCAD.Vector(*(box.value() for box in self.boxes)))
+
+
+class _ShortSpinBox(NumberSpinBox):
+    def textFromValue(self, value):
+        return f"{value:.{_DIGITS}g}"

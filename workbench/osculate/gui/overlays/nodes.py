@@ -68,6 +68,15 @@ def colored_polyline(points, color, width, pattern=SOLID):
     return Polyline(points, color, width, pattern).node
 
 
+def plain_lines(lines, color, width):
+    """Lines of `width` pixels without a rim, each through some points."""
+    points = [tuple(map(float, point)) for line in lines for point in line]
+    coordinates, line_set = coin.SoCoordinate3(), coin.SoLineSet()
+    coordinates.point.setValues(0, len(points), points)
+    line_set.numVertices.setValues(0, len(lines), [len(line) for line in lines])
+    return separator(*flat_color(rgb(color)), line_style(width), coordinates, line_set)
+
+
 def arrow_head(tip, direction, color, length, radius):
     """A cone that ends at `tip` and points along `direction`."""
     cone = coin.SoCone()
@@ -79,6 +88,19 @@ def arrow_head(tip, direction, color, length, radius):
     transform.translation = coin.SbVec3f(*map(float, tip)) - axis * (length / 2.0)
     transform.rotation = coin.SbRotation(coin.SbVec3f(0, 1, 0), axis)
     return separator(*flat_color(rgb(color)), transform, cone)
+
+
+def room(point, reach):
+    """Nothing that is seen, `reach` mm around a point on all sides.
+
+    Coin sets the near plane close before the model, and where that is behind the camera a little
+    into it: a picture at the foremost point would be cut.
+    """
+    style, coordinates = coin.SoDrawStyle(), coin.SoCoordinate3()
+    style.style = coin.SoDrawStyle.INVISIBLE
+    for number, sign in enumerate((-1.0, 1.0)):
+        coordinates.point.set1Value(number, *(float(x) + sign * reach for x in point))
+    return separator(style, coordinates, coin.SoPointSet())
 
 
 def at(point, *children):

@@ -2,7 +2,7 @@
 
 from osculate.gui.qt import Qt, QtWidgets
 
-_LEAST_LETTERS = 10  # of a choice, that are seen where the panel is narrow
+_LEAST_LETTERS = 8  # of a choice, that are seen where the panel is narrow
 
 
 class QuietWheel:
