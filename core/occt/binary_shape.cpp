@@ -26,4 +26,19 @@ TopoDS_Shape readBinaryShape(std::istream& stream) {
   });
 }
 
+void writeBinaryShape(std::ostream& stream, const TopoDS_Shape& shape) {
+  translateFailures([&] {
+    BinTools_ShapeSet shapes;
+    const bool isNull = shape.IsNull();
+    const Standard_Integer number = isNull ? -1 : shapes.Add(shape);
+    const Standard_Integer location = isNull ? -1 : shapes.Locations().Index(shape.Location());
+    const Standard_Integer orientation =
+        isNull ? -1 : static_cast<Standard_Integer>(shape.Orientation());
+    shapes.Write(stream);
+    BinTools::PutInteger(stream, number);
+    BinTools::PutInteger(stream, location);
+    BinTools::PutInteger(stream, orientation);
+  });
+}
+
 }  // namespace osculate

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <istream>
+#include <ostream>
 
 #include <TopoDS_Shape.hxx>
 
@@ -12,5 +13,8 @@ namespace osculate {
 /// number of its location, orientation. (BinTools::Write ends in another form.) A null shape where
 /// the head says so. Throws OcctError for what is no such stream.
 TopoDS_Shape readBinaryShape(std::istream& stream);
+
+/// Writes that form, for FreeCAD's Part.Shape.importBinary.
+void writeBinaryShape(std::ostream& stream, const TopoDS_Shape& shape);
 
 }  // namespace osculate

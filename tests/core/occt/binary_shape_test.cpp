@@ -43,6 +43,15 @@ TEST(BinaryShape, KeepsCurveAndOrientationToTheBit) {
   }
 }
 
+TEST(BinaryShape, WritesWhatFreecadReads) {
+  for (const TopoDS_Shape& shape :
+       {TopoDS_Shape(sampleEdge()), sampleEdge().Reversed(), TopoDS_Shape()}) {
+    std::ostringstream stream;
+    writeBinaryShape(stream, shape);
+    EXPECT_EQ(stream.str(), written(shape));
+  }
+}
+
 TEST(BinaryShape, KeepsThePlacement) {
   gp_Trsf placement;
   placement.SetTranslation(gp_Vec(1, 2, 3));
