@@ -204,6 +204,9 @@ TEST(Primitives, SolidsOfAFrustumMeetInWholeFaces) {
     EXPECT_TRUE(contact(solids[i], solids[i + 1]).meets) << i;
     EXPECT_EQ(contact(solids[i], solids[i + 1]).cartesian.order, 3) << "one map in parts";
   }
+  // across the plane between two sectors: below with the middle one, above the last with itself
+  EXPECT_TRUE(contact(solids[0], solids[4]).meets);
+  EXPECT_TRUE(contact(solids[2], solids[5]).meets);
 }
 
 TEST(Primitives, RandomSolidsAreTheSameAgain) {
