@@ -21,5 +21,9 @@ void bindJoin(py::module_& m);
 void bindNuSpline(py::module_& m);
 void bindFeature(py::module_& m);
 void bindOcct(py::module_& m);
+void bindSolid(py::module_& m);
+void bindSolidAnalysis(py::module_& m);
+void bindSolidOutput(py::module_& m);
+void bindSolidPrimitives(py::module_& m);
 
 }  // namespace osculate::python

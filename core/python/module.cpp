@@ -33,5 +33,9 @@ PYBIND11_MODULE(_core, m) {
   python::bindNuSpline(m);
   python::bindFeature(m);
   python::bindOcct(m);
+  python::bindSolid(m);
+  python::bindSolidAnalysis(m);
+  python::bindSolidOutput(m);
+  python::bindSolidPrimitives(m);
   showAsPublic(m);
 }

@@ -8,14 +8,17 @@ Works in FreeCADCmd, in FreeCAD's Python console and, with Curve values only, in
     print(report)                        # the table
     print(report.order, report.residuals)
     osculate.blend(shape.Edges[0], shape.Edges[1], order=4).edge
+    osculate.solids.cone(radius=10, height=30).to_solid()
 
 Lengths are in mm, angles in degrees. Values are immutable and safe to share between threads.
 """
 
 import osculate._compiled  # noqa: F401  (first: it says what to do where _core does not load)
 from osculate._core import (
-    MAX_ORDER, Construction, Curve, DefinitionDetail, FrenetFrame, JoinReport, JoinSide,
-    JoinWarning, OcctError, PointGeometry, TolerancePreset, Tolerances, __version__)
+    MAX_ORDER, BezierTetrahedron, BezierTriangle, Construction, ContactReport, Curve,
+    DefinitionDetail, FaceMesh, FrenetFrame, JoinReport, JoinSide, JoinWarning, OcctError,
+    PointGeometry, SectionMesh, SolidMesh, TolerancePreset, Tolerances, ValidityReport, __version__)
+from osculate import solids
 from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins
 from osculate.construction import blend, extend, join, nu_spline
 from osculate.errors import ContactError
@@ -23,9 +26,10 @@ from osculate.export import write_csv, write_json
 from osculate.fairness import energies
 
 __all__ = [
-    "Construction", "ContactError", "Curve", "DefinitionDetail", "FrenetFrame", "JoinBatch",
-    "JoinReport", "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry",
-    "TolerancePreset", "Tolerances", "VERDICTS", "__version__", "analyze", "analyze_edge",
-    "analyze_joins", "blend", "energies", "extend", "join", "nu_spline", "write_csv",
-    "write_json",
+    "BezierTetrahedron", "BezierTriangle", "Construction", "ContactError", "ContactReport",
+    "Curve", "DefinitionDetail", "FaceMesh", "FrenetFrame", "JoinBatch", "JoinReport",
+    "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry", "SectionMesh",
+    "SolidMesh", "TolerancePreset", "Tolerances", "VERDICTS", "ValidityReport", "__version__",
+    "analyze", "analyze_edge", "analyze_joins", "blend", "energies", "extend", "join",
+    "nu_spline", "solids", "write_csv", "write_json",
 ]

@@ -10,6 +10,7 @@ A shape reaches the core in one of two ways, both exact to the bit where the sha
   FreeCAD's BREP text is out of the question: it keeps 15 digits.
 """
 
+import contextlib
 import functools
 import os
 import sys
@@ -64,6 +65,24 @@ def edge_from_curve(curve):
         return spline.toShape()
     except Part.OCCError as error:
         raise ValueError(f"curve: FreeCAD makes no edge of it: {error}") from error
+
+
+def solid_from_tetrahedron(solid):
+    """A Part.Solid bounded by the exact faces of a BezierTetrahedron.
+
+    Raises TypeError for what is none; ValueError for a solid without volume, in E4 or with a corner
+    of weight 0; OcctError where the faces bound no valid solid; ImportError where there is no
+    FreeCAD.
+    """
+    if not isinstance(solid, _core.BezierTetrahedron):
+        raise TypeError("solid: an osculate.BezierTetrahedron is needed, got "
+                        f"{_described(solid, 'a solid')}")
+    import Part
+    with _temporary_file() as path:
+        _core.solid_to_binary(solid, path)
+        shape = Part.Shape()
+        shape.importBinary(path)
+    return shape.Solids[0]
 
 
 def curve_from(value, name):
@@ -148,11 +167,18 @@ def _proxy_maker():
 
 
 def _curve_through_file(edge):
+    with _temporary_file() as path:
+        edge.exportBinary(path)
+        return _core.curve_from_binary(path)
+
+
+@contextlib.contextmanager
+def _temporary_file():
+    """The path of a file that is removed again."""
     handle, path = tempfile.mkstemp(suffix=".bin", dir=_fast_folder())
     os.close(handle)
     try:
-        edge.exportBinary(path)
-        return _core.curve_from_binary(path)
+        yield path
     finally:
         os.remove(path)
 
