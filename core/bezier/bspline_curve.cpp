@@ -141,12 +141,21 @@ int BSplineCurve::spanAt(double t, Side side) const {
   return std::max(0, static_cast<int>(after - spans.begin()) - 1);
 }
 
-BezierSegment BSplineCurve::segment(int span) const {
-  if (span < 0 || span >= spanCount()) {
-    throw std::invalid_argument("span: must be from 0 to " + std::to_string(spanCount() - 1) + ", got " +
+int BSplineCurve::State::flatSpan(int span) const {
+  const auto count = static_cast<int>(spans.size());
+  if (span < 0 || span >= count) {
+    throw std::invalid_argument("span: must be from 0 to " + std::to_string(count - 1) + ", got " +
                                 std::to_string(span));
   }
-  return extractSegment(*state_, state_->spans[static_cast<std::size_t>(span)]);
+  return spans[static_cast<std::size_t>(span)];
+}
+
+BezierSegment BSplineCurve::segment(int span) const {
+  return extractSegment(*state_, state_->flatSpan(span));
+}
+
+SpanExtraction BSplineCurve::extraction(int span) const {
+  return extractionOf(*state_, state_->flatSpan(span));
 }
 
 BezierSegment BSplineCurve::endSegment(CurveEnd end) const {

@@ -24,6 +24,17 @@ struct BezierSegment {
   double length() const { return last - first; }
 };
 
+/// How the Bézier poles of a span come from the poles of its B-spline, both in homogeneous form:
+/// Bézier pole j = sum_i factors(i, j) times pole firstPole + i (of a periodic curve, counted on
+/// through its seam). Column j holds the values of the blossom; the rows are the B-spline basis
+/// functions on the span in Bernstein form.
+struct SpanExtraction {
+  int firstPole;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxDegree + 1,
+                kMaxDegree + 1>
+      factors;
+};
+
 /// The data a B-spline is made of, in the form of Part.BSplineCurve.
 struct BSplineData {
   Poles poles;                  ///< 3 x m, mm
@@ -64,6 +75,8 @@ class BSplineCurve {
   int spanAt(double t, Side side = Side::kRight) const;
   /// The Bézier segment of one span, by blossoming: the cost does not depend on the other spans.
   BezierSegment segment(int span) const;
+  /// How the poles of segment(span) depend on those of the curve.
+  SpanExtraction extraction(int span) const;
   /// The first or last segment whose poles are not all one point.
   BezierSegment endSegment(CurveEnd end) const;
   /// The knots inside the range, with the number of the span that begins there.
@@ -78,6 +91,7 @@ class BSplineCurve {
   BSplineCurve elevated(int times = 1) const;
   std::pair<BSplineCurve, BSplineCurve> split(double t) const;
   /// The part [a, b], a < b, clamped; a periodic curve may be crossed at its seam (b up to a + period).
+  /// Poles that stand over knots inside the part only keep their bits.
   BSplineCurve trimmed(double a, double b) const;
   BSplineCurve transformed(const Eigen::Affine3d& map) const;
   /// The same curve with knots mapped affinely on [first, last].

@@ -22,8 +22,8 @@ struct LocalKnots {
 };
 
 /// From f(u_{j+1} .. u_{j+p}) to f(a^{p-j}, u_{p+1} .. u_{p+j}). Returns the passes that did something.
-template <int Dim>
-int clampLeft(LocalNet<Dim>& q, LocalKnots knots) {
+template <class Net>
+int clampLeft(Net& q, LocalKnots knots) {
   const int p = knots.degree;
   const double a = knots.a();
   int passes = 0;
@@ -40,8 +40,8 @@ int clampLeft(LocalNet<Dim>& q, LocalKnots knots) {
 }
 
 /// From f(a^{p-j}, u_{p+1} .. u_{p+j}) to f(a^{p-j}, b^j).
-template <int Dim>
-int clampRight(LocalNet<Dim>& q, LocalKnots knots) {
+template <class Net>
+int clampRight(Net& q, LocalKnots knots) {
   const int p = knots.degree;
   const double a = knots.a();
   const double b = knots.b();
@@ -79,7 +79,7 @@ BezierSegment extractPolynomial(const BSplineCurve::State& state, int span, Loca
     q.col(j) = Eigen::Map<const Vector3>(state.poles() + 3 * (span - p + j));
     largest = std::max(largest, q.col(j).squaredNorm());
   } while (++j <= p);
-  const int passes = clampLeft<3>(q, knots) + clampRight<3>(q, knots);
+  const int passes = clampLeft(q, knots) + clampRight(q, knots);
   return {bezierFromPoles(q.data(), p), knots.a(), knots.b(),
           state.data.poleError + roundingBound(passes, std::sqrt(largest))};
 }
@@ -96,8 +96,8 @@ BezierSegment extractRational(const BSplineCurve::State& state, int span, LocalK
     largest = std::max(largest, pole.squaredNorm());
     heaviest = std::max(heaviest, weight);
   }
-  const int left = clampLeft<4>(q, knots);
-  const int right = clampRight<4>(q, knots);
+  const int left = clampLeft(q, knots);
+  const int right = clampRight(q, knots);
   if (left + right == 0) {  // the poles are Bézier poles already: no detour by homogeneous ones
     const BezierView own{state.poles() + 3 * (span - p), state.weights() + (span - p), p};
     return {bezierFromArrays(own), knots.a(), knots.b(), state.data.poleError};
@@ -115,6 +115,16 @@ BezierSegment extractSegment(const BSplineCurve::State& state, int flatSpan) {
   const LocalKnots knots{state.flat.data() + flatSpan - p + 1, p};
   return state.weights() == nullptr ? extractPolynomial(state, flatSpan, knots)
                                     : extractRational(state, flatSpan, knots);
+}
+
+SpanExtraction extractionOf(const BSplineCurve::State& state, int flatSpan) {
+  const int p = state.data.degree;
+  SpanExtraction result{flatSpan - p, {}};
+  result.factors.setIdentity(p + 1, p + 1);
+  const LocalKnots knots{state.flat.data() + flatSpan - p + 1, p};
+  clampLeft(result.factors, knots);
+  clampRight(result.factors, knots);
+  return result;
 }
 
 NetPoint blossom(const BSplineCurve::State& state, int flatSpan, std::span<const double> arguments) {

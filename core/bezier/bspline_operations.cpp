@@ -35,6 +35,14 @@ void setPole(BSplineData& data, Eigen::Index i, const NetPoint& point) {
   if (point.rows() == 4) data.weights[static_cast<std::size_t>(i)] = point[3];
 }
 
+/// The pole that the curve itself has over these knots, or -1. `guess`: where it would be.
+Eigen::Index poleOver(const BSplineCurve::State& state, std::span<const double> knots,
+                      Eigen::Index guess) {
+  const auto count = static_cast<Eigen::Index>(state.flat.size());
+  if (guess < 0 || guess + 1 + static_cast<Eigen::Index>(knots.size()) > count) return -1;
+  return std::equal(knots.begin(), knots.end(), state.flat.begin() + guess + 1) ? guess : -1;
+}
+
 BSplineData emptyData(const std::vector<double>& flat, int degree, const BSplineData& like) {
   BSplineData data{.poles = Poles(3, static_cast<Eigen::Index>(flat.size()) - degree - 1),
                    .weights = {},
@@ -142,10 +150,18 @@ BSplineCurve BSplineCurve::trimmed(double a, double b) const {
                [&](double knot) { return a < knot && knot < b; });
   flat.insert(flat.end(), p + 1, b);
   BSplineData part = emptyData(flat, degree(), state_->data);
+  const auto skipped = std::upper_bound(state_->flat.begin(), state_->flat.end(), a);
+  const Eigen::Index offset = skipped - state_->flat.begin() - degree() - 1;
   for (Eigen::Index i = 0; i < part.poles.cols(); ++i) {
     const auto k = static_cast<std::size_t>(i);
+    const auto over = std::span(flat).subspan(k + 1, p);
+    if (const Eigen::Index own = poleOver(*state_, over, i + offset); own >= 0) {
+      part.poles.col(i) = Eigen::Map<const Vector3>(state_->poles() + 3 * own);
+      if (isRational()) part.weights[k] = state_->weights()[own];
+      continue;
+    }
     const int span = spanBetween(*this, *state_, flat[k], flat[k + p + 1]);
-    setPole(part, i, blossom(*state_, span, std::span(flat).subspan(k + 1, p)));
+    setPole(part, i, blossom(*state_, span, over));
   }
   return BSplineCurve(std::move(part));
 }

@@ -30,6 +30,8 @@ struct BSplineCurve::State {
   /// Flat knot and pole by number; int in, so that index arithmetic stays readable.
   double knot(int i) const { return flat[static_cast<std::size_t>(i)]; }
   NetPoint netPole(int i) const;
+  /// Throws std::invalid_argument for a span that does not exist.
+  int flatSpan(int span) const;
   Vector3 evaluate(double t) const;
 };
 
@@ -41,6 +43,7 @@ BSplineData unrollPeriods(const BSplineData& data, int turns);
 
 /// The Bézier segment of the flat span i. See bspline_extraction.cpp.
 BezierSegment extractSegment(const BSplineCurve::State& state, int flatSpan);
+SpanExtraction extractionOf(const BSplineCurve::State& state, int flatSpan);
 /// The blossom of the polynomial on the flat span i at `degree` arguments.
 NetPoint blossom(const BSplineCurve::State& state, int flatSpan, std::span<const double> arguments);
 

@@ -1,6 +1,7 @@
 #include "osculate/bezier/net_distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace osculate {
@@ -40,6 +41,15 @@ Difference rationalDifference(const Net& a, const Net& b) {
   return result;
 }
 
+/// Equal weights stay those of the difference.
+Difference differenceOf(const Net& a, const Net& b) {
+  if (a.rows() == 3) return b - a;
+  if (a.row(3) != b.row(3)) return rationalDifference(a, b);
+  Difference result = b - a;
+  result.row(3) = a.row(3);
+  return result;
+}
+
 double norm(const Difference& net, Eigen::Index i) {
   const double length = net.col(i).head<3>().norm();
   return net.rows() == 3 ? length : length / net(3, i);
@@ -64,35 +74,46 @@ Difference secondHalf(Difference& net) {
   return rest;
 }
 
+/// Over [first, first + 2^-depth].
 struct Part {
   Difference net;
-  int depth;
+  int depth = 0;
+  double first = 0.0;
+
+  double length() const { return std::ldexp(1.0, -depth); }
 };
 
 }  // namespace
 
-double largestDistance(const Net& a, const Net& b) {
+FarthestPoints farthestPoints(const Net& a, const Net& b) {
   constexpr int kMaxDepth = 30;
   constexpr double kMargin = 1.001;
-  std::vector<Part> open{{a.rows() == 3 ? Difference(b - a) : rationalDifference(a, b), 0}};
-  const Difference& whole = open.front().net;
-  double reached = std::max(norm(whole, 0), norm(whole, whole.cols() - 1));
-  double result = reached;
+  std::vector<Part> open{{differenceOf(a, b)}};
+  FarthestPoints reached;
+  const auto reach = [&](double distance, double t) {
+    if (distance > reached.distanceMm) reached = {distance, t};
+  };
+  reach(norm(open.front().net, 0), 0.0);
+  reach(norm(open.front().net, open.front().net.cols() - 1), 1.0);
+  double result = 0.0;
   while (!open.empty()) {
     Part first = std::move(open.back());
     open.pop_back();
     const double bound = hullBound(first.net);
-    if (bound <= kMargin * reached || first.depth == kMaxDepth) {
+    if (bound <= kMargin * reached.distanceMm || first.depth == kMaxDepth) {
       result = std::max(result, bound);
       continue;
     }
     ++first.depth;
-    Part second{secondHalf(first.net), first.depth};
-    reached = std::max(reached, norm(second.net, 0));
+    const double middle = first.first + first.length();
+    Part second{secondHalf(first.net), first.depth, middle};
+    reach(norm(second.net, 0), middle);
     open.push_back(std::move(second));
     open.push_back(std::move(first));
   }
-  return result;
+  return {std::max(result, reached.distanceMm), reached.t};
 }
+
+double largestDistance(const Net& a, const Net& b) { return farthestPoints(a, b).distanceMm; }
 
 }  // namespace osculate

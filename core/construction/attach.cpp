@@ -1,5 +1,7 @@
 #include "osculate/construction/attach.h"
 
+#include <algorithm>
+
 #include "osculate/bezier/bernstein.h"
 #include "osculate/differential/arc_jet.h"
 #include "osculate/differential/series.h"
@@ -62,6 +64,19 @@ void attachedTaylorDerivatives(const ContactJet& target, const ArcLengthSeries& 
     change = BoundedPoles::Zero(3, m + 1);
     change.rightCols(m + 1 - l) = tangent.leftCols(m + 1 - l);
   }
+}
+
+BoundedPoles attachedTaylorCurvature(const ContactJet& target, const ArcLengthSeries& sigma) {
+  const int m = target.order;
+  Table power;
+  setPowers(sigma, m, power);
+  BoundedPoles curvature = BoundedPoles::Zero(3, std::max(m - 1, 0));
+  for (int j = 2; j <= m; ++j) {
+    const Vector3 coefficient = j * (j - 1) * rho(target, j);
+    for (int k = j - 2; k <= m - 2; ++k)
+      curvature.col(k) += power[index(j - 2)][index(k)] * coefficient;
+  }
+  return curvature;
 }
 
 BoundedPoles polesOfTaylor(const BoundedPoles& taylor, int degree) {

@@ -20,6 +20,10 @@ BoundedPoles attachedTaylor(const ContactJet& target, const ArcLengthSeries& sig
 void attachedTaylorDerivatives(const ContactJet& target, const ArcLengthSeries& sigma,
                                std::array<BoundedPoles, kMaxOrder>& derivative);
 
+/// d^2 q_k / d sigma_i d sigma_j is column k-i-j of this, zero where that is negative: R''(s(t)) up
+/// to t^(m-2).
+BoundedPoles attachedTaylorCurvature(const ContactJet& target, const ArcLengthSeries& sigma);
+
 /// The poles C_0 .. C_m of a Bézier curve of degree n >= m from its Taylor coefficients q_0 .. q_m:
 /// C_i = sum_k C(i,k)/C(n,k) q_k.
 BoundedPoles polesOfTaylor(const BoundedPoles& taylor, int degree);

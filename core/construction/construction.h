@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "osculate/construction/contact_jet.h"
+#include "osculate/construction/curve_change.h"
 #include "osculate/continuity/curve_joins.h"
 
 namespace osculate {
@@ -19,6 +20,7 @@ struct Construction {
   std::optional<double> objective{};          ///< what was minimised
   std::optional<int> freeNumbers{};           ///< that the request left free and fairness chose
   std::optional<double> maxDisplacementMm{};  ///< where a curve was changed: how far at most
+  std::optional<CurveChange> change{};        ///< likewise: what of it
   std::vector<std::string> warnings{};        ///< sentences
 };
 

@@ -1,5 +1,4 @@
 // The blend. The package `osculate` puts its public function in front of it.
-#include <sstream>
 #include <string>
 
 #include "osculate/construction/blend_curves.h"
@@ -15,33 +14,6 @@ std::array<int, 2> ordersFrom(const py::object& value) {
   const py::sequence both = isPair ? value : py::make_tuple(value, value);
   const py::sequence pair = pairFrom(both, "order", "an integer or a pair of them");
   return {orderFrom(pair[0]), orderFrom(pair[1])};
-}
-
-/// "forward" or "backward".
-bool isForward(const py::object& value) {
-  const std::string text = py::str(value);
-  if (text == "forward") return true;
-  if (text == "backward") return false;
-  throw std::invalid_argument("ends: the direction must be 'forward' or 'backward', got " +
-                              std::string(py::repr(value)));
-}
-
-/// "start", "end" or (t, direction).
-Departure departureFrom(const py::object& value, const BSplineCurve& curve) {
-  if (py::isinstance<py::str>(value)) return {.end = endFrom(value)};
-  const py::sequence pair = pairFrom(value, "ends", "'start', 'end' or (t, direction) for each");
-  const double t = numberFrom(pair[0], "ends: t");
-  const bool forward = isForward(pair[1]);
-  const bool isPartLeft =
-      forward ? curve.first() < t && t <= curve.last() : curve.first() <= t && t < curve.last();
-  if (!isPartLeft) {
-    std::ostringstream text;
-    text << "ends: t must be within the curve's range " << (forward ? '(' : '[') << curve.first()
-         << ", " << curve.last() << (forward ? ']' : ')') << " where the blend leaves "
-         << (forward ? "forward" : "backward") << ", got " << t;
-    throw std::invalid_argument(text.str());
-  }
-  return {.inside = true, .parameter = t, .forward = forward};
 }
 
 std::array<Departure, 2> departuresFrom(const py::object& value, const BSplineCurve& first,

@@ -1,5 +1,6 @@
 // osculate.Construction, its error, and the arguments that its makers share.
 #include <algorithm>
+#include <sstream>
 #include <string>
 
 #include "osculate/construction/contact_error.h"
@@ -20,6 +21,15 @@ constexpr const char* kEnergyDoc =
 Over the curve of length L, its parameter t taken as [0, 1]: 'bending' = L int kappa^2 ds, 'mvc' =
 L^3 int |d(kappa vector)/ds|^2 ds (Moreton and Sequin 1992), 'speed' = int ln^2(|Q'|/L) dt, and
 'objective', what was minimised, by its quadrature, or None: all without dimension. 'length_mm' is L.)";
+
+constexpr const char* kChangeDoc =
+    R"(What of a curve a match changed, as a dict; None where none was.
+
+'end' ("start" or "end") meets the other curve now. From there 'spans' spans and 'poles' poles
+differ, over the parameters 'range'; all others are as they were, bit for bit if 'raised', by how
+much the degree was raised, is 0. 'kept' is the highest derivative at the far end that stays, None
+where all do. 'rms_mm' is the root mean square of the displacement over the arc length of those
+spans. The largest displacement is at 'parameter', from 'point' to 'moved'.)";
 
 /// Each keeps the construction alive instead of a copy of itself.
 template <std::vector<CurveJoin> Construction::*kJoins>
@@ -59,6 +69,24 @@ py::dict energiesOf(const BSplineCurve& curve) {
   }();
   py::dict result = dictOf(known);
   result["length_mm"] = known.lengthMm;
+  return result;
+}
+
+/// None, or a dict of what a match changed.
+py::object change(const ConstructionRecord& self) {
+  if (!self.change) return py::none();
+  const CurveChange& change = *self.change;
+  py::dict result;
+  result["end"] = name(change.end);
+  result["poles"] = change.poles;
+  result["spans"] = change.spans;
+  result["range"] = py::make_tuple(change.first, change.last);
+  result["raised"] = change.raised;
+  result["kept"] = change.kept;
+  result["rms_mm"] = change.rootMeanSquareMm;
+  result["parameter"] = change.parameter;
+  result["point"] = arrayOf(change.point.data(), {3});
+  result["moved"] = arrayOf(change.moved.data(), {3});
   return result;
 }
 
@@ -110,7 +138,17 @@ void bindRecord(py::module_& m) {
           "free_numbers", [](const Record& self) { return self.freeNumbers; },
           "How many numbers an extension's request left free, so that fairness chose them; else "
           "None.")
+      .def_property_readonly("change", &change, kChangeDoc)
       .def("__repr__", &repr);
+}
+
+/// "forward" or "backward".
+bool isForward(const py::object& value) {
+  const std::string text = py::str(value);
+  if (text == "forward") return true;
+  if (text == "backward") return false;
+  throw std::invalid_argument("ends: the direction must be 'forward' or 'backward', got " +
+                              std::string(py::repr(value)));
 }
 
 /// osculate.ContactError is a class of Python, so that it exists where this module does not load.
@@ -132,6 +170,23 @@ int orderFrom(const py::object& value) {
                                 " at each end, got " + std::to_string(order));
   }
   return order;
+}
+
+Departure departureFrom(const py::object& value, const BSplineCurve& curve) {
+  if (py::isinstance<py::str>(value)) return {.end = endFrom(value)};
+  const py::sequence pair = pairFrom(value, "ends", "'start', 'end' or (t, direction) for each");
+  const double t = numberFrom(pair[0], "ends: t");
+  const bool forward = isForward(pair[1]);
+  const bool isPartLeft =
+      forward ? curve.first() < t && t <= curve.last() : curve.first() <= t && t < curve.last();
+  if (!isPartLeft) {
+    std::ostringstream text;
+    text << "ends: t must be within the curve's range " << (forward ? '(' : '[') << curve.first()
+         << ", " << curve.last() << (forward ? ']' : ')') << " where the new curve leaves "
+         << (forward ? "forward" : "backward") << ", got " << t;
+    throw std::invalid_argument(text.str());
+  }
+  return {.inside = true, .parameter = t, .forward = forward};
 }
 
 GivenNumbers givenNumbersFrom(const py::object& value, int order, const char* argument,

@@ -19,6 +19,7 @@ void bindBlend(py::module_& m);
 void bindExtend(py::module_& m);
 void bindJoin(py::module_& m);
 void bindNuSpline(py::module_& m);
+void bindMatch(py::module_& m);
 void bindFeature(py::module_& m);
 void bindOcct(py::module_& m);
 void bindSolid(py::module_& m);

@@ -28,6 +28,8 @@ inline RecordPointer recordOf(Construction construction) {
 
 /// 0..kMaxOrder.
 int orderFrom(const py::object& value);
+/// "start", "end" or (t, "forward" or "backward").
+Departure departureFrom(const py::object& value, const BSplineCurve& curve);
 /// None for no numbers, or a tuple of at most `order` numbers, each None where it is chosen. Errors
 /// name the argument.
 GivenNumbers givenNumbersFrom(const py::object& value, int order, const char* argument = "beta",

@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, m) {
   python::bindExtend(m);
   python::bindJoin(m);
   python::bindNuSpline(m);
+  python::bindMatch(m);
   python::bindFeature(m);
   python::bindOcct(m);
   python::bindSolid(m);

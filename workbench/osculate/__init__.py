@@ -20,7 +20,7 @@ from osculate._core import (
     PointGeometry, SectionMesh, SolidMesh, TolerancePreset, Tolerances, ValidityReport, __version__)
 from osculate import solids
 from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins
-from osculate.construction import blend, extend, join, nu_spline
+from osculate.construction import blend, extend, join, match, nu_spline
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
 from osculate.fairness import energies
@@ -31,5 +31,5 @@ __all__ = [
     "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry", "SectionMesh",
     "SolidMesh", "TolerancePreset", "Tolerances", "VERDICTS", "ValidityReport", "__version__",
     "analyze", "analyze_edge", "analyze_joins", "blend", "energies", "extend", "join",
-    "nu_spline", "solids", "write_csv", "write_json",
+    "match", "nu_spline", "solids", "write_csv", "write_json",
 ]

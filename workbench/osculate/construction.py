@@ -148,3 +148,52 @@ def nu_spline(points, *, tension=0.0, parameters=None, ends="natural", closed=Fa
     Raises ValueError that names the argument and the rule, TypeError for what is of the wrong kind.
     """
     return _core.nu_spline(points, tension, parameters, ends, closed)
+
+
+def match(a, b, *, order=2, ends=None, keep=4, spans=None, degree=None, beta=None):
+    """Curve b changed as little as possible near one end so that it meets curve a with geometric
+    contact of an order, as a Construction. Curve a is not changed.
+
+    a, b: Part.Edge (any curve type, trimmed, reversed, placed, rational, periodic) or Curve. One
+        closed curve as both is changed at one end so that it meets its other end.
+    order: of contact, 0 to 8.
+    ends: where b meets a; None takes their nearest ends. Else a pair: for a "start", "end" or
+        (t, direction) as for blend, for b "start" or "end".
+    keep: at the far end of b the derivatives up to this one stay, 0 to 8, so that b keeps its
+        contact of that order with whatever it meets there. Where the change does not reach the far
+        end's span, everything stays.
+    spans: how many spans of b, from the join, may change at most; None: as many as are useful
+        (farther ones would change by less than a hundredth). All poles and knots beyond stay bit
+        for bit.
+    degree: of the result; None keeps that of b and raises it, as little as possible, where it is
+        below the order or where b has too few poles for both ends. A higher degree leaves more
+        freedom; where b has several spans all its poles are then new, on the same curve.
+    beta: the free numbers (beta_1, ..) at the join, at most as many as the order; those that are
+        None or left out are chosen. beta_k = (d^k s/dt^k) / u, without dimension: s the arc length
+        of the new curve, t the parameter of its span at the join over [0, 1], both from the join;
+        u the reach of that span as it was, from the join to its other end or its middle, the
+        larger.
+
+    What is least is the integral of the squared displacement at equal parameters over the arc
+    length of b as it was. Weights stay, and so does the contact of b with itself at its inner
+    knots. `max_displacement_mm` bounds the displacement, `change` tells what was changed, `reports`
+    has the join with a. Where they meet already (preset `exact`) and neither beta nor a higher
+    degree is asked for, the curve is b as it is. The curve is computed without the GIL.
+
+    Raises ContactError (a ValueError) where the degree, the spans or the singular end of a cannot
+    carry the order; ValueError that names the argument and the rule for other values, also for the
+    same open curve twice; TypeError for what is no curve or of the wrong kind.
+    """
+    first = shapes.curve_from(a, "a")
+    second = first if a is b else shapes.curve_from(b, "b")
+    options = (keep, spans, degree, beta)
+    if not shapes.are_same(a, b):
+        return _core.match(first, second, order, ends, *options)
+    if not _core.is_closed(first, None):
+        raise ValueError("b: is the same curve as a, which is open; give two curves, or one closed "
+                         "curve for its closing join")
+    met = ("end", "start") if ends is None else ends
+    if sorted(met) != ["end", "start"]:
+        raise ValueError('ends: a closed curve meets itself with ("end", "start") or '
+                         f'("start", "end"), got {ends!r}')
+    return _core.match_closing(first, met[1], order, *options)

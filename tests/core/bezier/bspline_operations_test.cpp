@@ -167,6 +167,54 @@ TEST(BSplineCurve, TrimmedToItsRangeIsTheSameClampedCurve) {
   EXPECT_EQ(open.trimmed(open.first(), open.last()).data().knots.multiplicities.front(), 4);
 }
 
+TEST(BSplineCurve, TrimmedKeepsPolesOverItsOwnKnotsBitForBit) {
+  Random random(79);
+  for (const bool rational : {false, true}) {
+    const BSplineCurve curve(randomSplineData(
+        random, 3, {{0, 1, 2, 3, 4, 5, 6, 7}, {4, 1, 2, 1, 3, 1, 1, 4}}, rational));
+    const BSplineCurve part = curve.trimmed(0.5, 5.5);
+    // the part's knots 1, 2, 2, 3, 4, 4, 4, 5: six poles stand over three of these
+    EXPECT_EQ(part.data().poles.middleCols(3, 6), curve.data().poles.middleCols(3, 6));
+    if (rational) {
+      EXPECT_TRUE(std::equal(part.data().weights.begin() + 3, part.data().weights.begin() + 9,
+                             curve.data().weights.begin() + 3));
+    }
+    const BSplineCurve open(randomSplineData(random, 3, unclampedKnots(3), rational));
+    const BSplineCurve clamped = open.trimmed(open.first(), open.last());
+    EXPECT_NE(clamped.data().poles.col(0), open.data().poles.col(0));
+    EXPECT_EQ(clamped.data().poles.middleCols(3, open.data().poles.cols() - 6),
+              open.data().poles.middleCols(3, open.data().poles.cols() - 6));
+  }
+}
+
+TEST(BSplineCurve, ExtractionGivesTheBezierPoles) {
+  Random random(80);
+  for (const SplineSample& sample : splineSamples(80)) {
+    const BSplineCurve curve(sample.data);
+    const auto count = sample.data.poles.cols();
+    for (int span = 0; span < curve.spanCount(); ++span) {
+      const SpanExtraction extraction = curve.extraction(span);
+      const BezierCurve segment = curve.segment(span).curve;
+      for (int j = 0; j <= curve.degree(); ++j) {
+        Vector3 numerator = Vector3::Zero();
+        double weight = 0.0;
+        for (int i = 0; i <= curve.degree(); ++i) {
+          const Eigen::Index pole = (extraction.firstPole + i) % count;
+          const double own =
+              curve.isRational() ? sample.data.weights[static_cast<std::size_t>(pole)] : 1.0;
+          const double factor = extraction.factors(i, j) * own;
+          numerator += factor * sample.data.poles.col(pole);
+          weight += factor;
+        }
+        EXPECT_LE((numerator / weight - segment.pole(j)).norm(), 4.0 * tolerance(curve))
+            << sample.name;
+      }
+    }
+    EXPECT_ERROR(curve.extraction(-1), "span: must be from 0");
+    EXPECT_ERROR(curve.extraction(curve.spanCount()), "span: must be from 0");
+  }
+}
+
 TEST(BSplineCurve, SplitGivesTwoPartsThatMeet) {
   Random random(77);
   for (const SplineSample& sample : splineSamples(77)) {

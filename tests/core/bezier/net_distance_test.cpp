@@ -51,6 +51,28 @@ TEST(NetDistance, OfEqualCurvesIsZero) {
   }
 }
 
+TEST(NetDistance, TellsWhere) {
+  Random random(123);
+  for (const bool rational : {false, true}) {
+    for (const int degree : {2, 5, 9}) {
+      const BezierCurve a = randomBezier(random, degree, rational);
+      const BezierCurve b = moved(random, a, 1.0);
+      // the same weights, too
+      std::vector<Vector3> poles = polesOf(a);
+      for (Vector3& pole : poles)
+        pole += random.vector(1.0);
+      const BezierCurve c(poles, weightsOf(a));
+      for (const BezierCurve& other : {b, c}) {
+        const FarthestPoints found = farthestPoints(toNet(a.view()), toNet(other.view()));
+        const double there = (a.evaluate(found.t) - other.evaluate(found.t)).norm();
+        EXPECT_GE(there, 0.998 * found.distanceMm);
+        EXPECT_GE(found.distanceMm, sampledDistance(a, other) * (1.0 - 1e-6));
+        EXPECT_LE(found.distanceMm, sampledDistance(a, other) * 1.0015);
+      }
+    }
+  }
+}
+
 TEST(NetDistance, DoesNotDependOnAFactorOfTheWeights) {
   Random random(122);
   const BezierCurve curve = randomBezier(random, 4, true);

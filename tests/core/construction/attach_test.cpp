@@ -95,6 +95,29 @@ TEST(Attach, DerivativesAgreeWithDifferences) {
   }
 }
 
+TEST(Attach, SecondDerivativesAgreeWithDifferences) {
+  const ContactJet target = contactJet(BSplineCurve(quintic()), {}, 5);
+  const ArcLengthSeries sigma{20.0, 4.0, -3.0, 2.0, 1.0};
+  const BoundedPoles curvature = attachedTaylorCurvature(target, sigma);
+  constexpr double kStep = 1e-5;
+  for (int i = 1; i <= 5; ++i) {
+    std::array<ArcLengthSeries, 2> beside{sigma, sigma};
+    beside[0][static_cast<std::size_t>(i - 1)] -= kStep;
+    beside[1][static_cast<std::size_t>(i - 1)] += kStep;
+    std::array<std::array<BoundedPoles, kMaxOrder>, 2> slope;
+    attachedTaylorDerivatives(target, beside[0], slope[0]);
+    attachedTaylorDerivatives(target, beside[1], slope[1]);
+    for (int j = 1; j <= 5; ++j) {
+      const auto l = static_cast<std::size_t>(j - 1);
+      BoundedPoles expected = BoundedPoles::Zero(3, 6);
+      const int count = std::max(6 - i - j, 0);
+      expected.rightCols(count) = curvature.leftCols(count);
+      const BoundedPoles difference = (slope[1][l] - slope[0][l]) / (2.0 * kStep);
+      EXPECT_LE((difference - expected).norm(), 1e-7 * (1.0 + expected.norm())) << i << ' ' << j;
+    }
+  }
+}
+
 TEST(ContactJet, LeavesFromInsideInBothDirections) {
   const BSplineCurve curve(quintic());
   const ContactJet forward =
