@@ -7,6 +7,7 @@
 
 #include "osculate/bezier/knot_removal.h"
 #include "osculate/bezier/net_distance.h"
+#include "osculate/bezier/raised_net.h"
 #include "osculate/construction/contact_error.h"
 #include "osculate/construction/curve_chain.h"
 
@@ -23,13 +24,6 @@ struct KnotMap {
     return scale == 1.0 && from == to ? u : to + scale * (u - from);
   }
 };
-
-BSplineCurve raised(const BSplineCurve& curve, int degree) {
-  const int times = degree - curve.degree();
-  if (times == 0 || curve.spanCount() > 1) return curve.elevated(times);
-  const BezierSegment only = curve.segment(0);
-  return BSplineCurve(only.curve.elevated(times), only.first, only.last);
-}
 
 /// A net around a removal, and that after it: of a clamped net a part of it.
 struct Change {
@@ -97,7 +91,7 @@ void lowerExactly(SplineNet& net, double u, double limitMm, int least) {
 /// The net of one part, of the given degree and kind, over its interval of the joined net.
 SplineNet partNet(const ChainPart& part, int degree, bool rational, const KnotMap& map,
                   double weight) {
-  SplineNet net = clampedNet(raised(part.curve, degree));
+  SplineNet net = raisedNet(part.curve, degree - part.curve.degree());
   const std::vector<double> own = net.flat;
   for (double& knot : net.flat)
     knot = map(knot);

@@ -6,6 +6,7 @@
 
 #include "construction/join_checks.h"
 #include "support/errors.h"
+#include "support/spline_samples.h"
 
 namespace osculate {
 namespace {
@@ -244,6 +245,40 @@ TEST(Join, CutsCurvesThatAreTornWhereTheyMeet) {
   EXPECT_TRUE(result.joins.empty());
   data.poles.col(3) += Vector3(0, 0, 1e-3);
   EXPECT_NEAR(*joinCurves(std::vector{BSplineCurve(data)}, 1e-3).maxDisplacementMm, 5e-4, 1e-6);
+}
+
+TEST(Join, TakesUnclampedAndPeriodicCurves) {
+  for (const SplineSample& sample : splineSamples(216)) {
+    if (sample.isTorn()) continue;
+    SCOPED_TRACE(sample.name);
+    const std::vector<BSplineCurve> one{BSplineCurve(sample.data)};
+    const Construction result = joinCurves(one);
+    EXPECT_LE(result.curve.data().poles.cols(), clampedNet(one[0]).poleCount());
+    EXPECT_EQ(result.curve.first(), one[0].first());
+    EXPECT_EQ(result.curve.last(), one[0].last());
+    expectTraces(result, one, 1e-13);
+    EXPECT_EQ(result.joins.size(), sample.data.periodic ? 1U : 0U);
+  }
+}
+
+TEST(Join, RaisesLongSplinesToHighDegreesSoon) {
+  Random random(217);
+  KnotVector knots{{0}, {4}};
+  for (int i = 1; i < 1000; ++i) {
+    knots.knots.push_back(i);
+    knots.multiplicities.push_back(1);
+  }
+  knots.knots.push_back(1000);
+  knots.multiplicities.push_back(4);
+  const BSplineCurve spline(randomSplineData(random, 3, knots, false));
+  std::vector<Vector3> poles = randomPoles(random, 26);
+  for (std::size_t i = poles.size(); i-- > 0;)
+    poles[i] += spline.endPoint(CurveEnd::kEnd) - poles[0];
+  const std::vector<BSplineCurve> parts{spline, BSplineCurve(BezierCurve(poles))};
+  const Construction result = joinCurves(parts);
+  EXPECT_EQ(result.curve.degree(), 25);
+  EXPECT_EQ(result.curve.data().knots.multiplicities[500], 23);
+  expectTraces(result, parts, 1e-13);
 }
 
 TEST(Join, OfAThousandCurvesIsOneCurve) {

@@ -2,6 +2,7 @@
 // ones as OpenCASCADE evaluates them.
 #pragma once
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,13 @@ namespace osculate::test {
 struct SplineSample {
   std::string name;
   BSplineData data;
+
+  /// An inner knot has a higher multiplicity than the degree: there the curve may jump.
+  bool isTorn() const {
+    const std::vector<int>& all = data.knots.multiplicities;
+    return std::any_of(all.begin() + 1, all.end() - 1,
+                       [&](int multiplicity) { return multiplicity > data.degree; });
+  }
 };
 
 /// degree+2 knots around each side of three spans, all of multiplicity 1.
