@@ -157,6 +157,15 @@ Minimum fairest(const ContactJet& from, const ContactJet& to, const BlendOptions
                 withObjective(solve(from, to, options, degree, Quadrature::kFine)));
 }
 
+/// beta_1 = 1 and 0 for the other numbers that are not given; further poles by raising the degree.
+std::vector<double> plainest(const ContactJet& from, const ContactJet& to,
+                             const BlendOptions& options, const BlendProblem& problem, int degree) {
+  const int least = options.order[0] + options.order[1] + 1;
+  if (degree == least) return problem.start(1.0, 1.0);
+  const BlendProblem leastProblem(from, to, options, least, Quadrature::kCoarse);
+  return problem.startFrom(leastProblem, leastProblem.start(1.0, 1.0));
+}
+
 void addWarnings(const BlendOptions& options, Blend& result) {
   constexpr double kCramped = 0.1;
   for (std::size_t end = 0; end < 2; ++end) {
@@ -177,15 +186,11 @@ Blend blend(const ContactJet& from, const ContactJet& to, const BlendOptions& op
   const int degree = options.degree == 0 ? least : options.degree;
 
   const BlendProblem problem(from, to, options, degree, Quadrature::kFine);
-  Minimum found;
-  if (options.fairness) {
-    found = fairest(from, to, options, problem, degree);
-  } else {
-    const BlendProblem leastProblem(from, to, options, least, Quadrature::kCoarse);
-    found.unknowns = problem.startFrom(leastProblem, leastProblem.start(1.0, 1.0));
-  }
-  const std::optional<double> objective =
-      options.fairness ? std::optional(found.objective) : std::nullopt;
+  // where every number is given there is nothing to choose
+  const bool isFair = options.fairness && problem.size() > 0;
+  const Minimum found = isFair ? fairest(from, to, options, problem, degree)
+                               : Minimum{plainest(from, to, options, problem, degree), 0.0};
+  const std::optional<double> objective = isFair ? std::optional(found.objective) : std::nullopt;
   Blend result{bezierFromPoles(problem.poles(found.unknowns).data(), degree),
                problem.beta(found.unknowns),
                problem.chord(),

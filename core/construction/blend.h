@@ -32,7 +32,7 @@ struct Blend {
   BezierCurve curve;
   std::array<BetaNumbers, 2> beta{};  ///< those up to each end's order are set
   double chordMm = 0.0;
-  std::optional<double> objective;    ///< what was minimised
+  std::optional<double> objective;    ///< what was minimised, where anything was free
   std::vector<std::string> warnings;  ///< sentences
 };
 

@@ -17,7 +17,7 @@ struct Construction {
   std::vector<CurveJoin> joins{};             ///< of the finished poles, under the preset `exact`
   std::vector<CurveJoin> inputJoins{};        ///< where a join changes them: as they were, likewise
   std::array<std::vector<double>, 2> beta{};  ///< the free numbers at each end that has some
-  std::optional<double> objective{};          ///< what was minimised
+  std::optional<double> objective{};          ///< what was minimised, where anything was free
   std::optional<int> freeNumbers{};           ///< that the request left free and fairness chose
   std::optional<double> maxDisplacementMm{};  ///< where a curve was changed: how far at most
   std::optional<CurveChange> change{};        ///< likewise: what of it

@@ -20,7 +20,8 @@ constexpr const char* kEnergyDoc =
 
 Over the curve of length L, its parameter t taken as [0, 1]: 'bending' = L int kappa^2 ds, 'mvc' =
 L^3 int |d(kappa vector)/ds|^2 ds (Moreton and Sequin 1992), 'speed' = int ln^2(|Q'|/L) dt, and
-'objective', what was minimised, by its quadrature, or None: all without dimension. 'length_mm' is L.)";
+'objective', what was minimised, by its quadrature, None where nothing was free: all without
+dimension. 'length_mm' is L.)";
 
 constexpr const char* kChangeDoc =
     R"(What of a curve a match changed, as a dict; None where none was.

@@ -140,6 +140,8 @@ class FreedomsTest(unittest.TestCase):
                    for fairness in ("mvc", "bending", None)]
         for result in results[1:]:
             np.testing.assert_array_equal(result.curve.poles, results[0].curve.poles)
+        for result in results:  # nothing was free
+            self.assertIsNone(result.energy["objective"])
 
     def test_an_end_without_given_numbers(self):
         result = blend(*planar_task(), order=2, beta=(None, (0.7,)))
