@@ -3,6 +3,7 @@
 
 #include <Geom_BezierCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <cmath>
 #include <math_Gauss.hxx>
 #include <math_Matrix.hxx>
 #include <math_Vector.hxx>
@@ -10,6 +11,7 @@
 #include "construction/blend_cases.h"
 #include "osculate/bezier/bernstein.h"
 #include "osculate/construction/blend.h"
+#include "osculate/construction/match_curves.h"
 #include "sample_curves.h"
 
 namespace {
@@ -44,6 +46,38 @@ void fairBlend(benchmark::State& state) {
     benchmark::DoNotOptimize(blendOf(task, options));
 }
 BENCHMARK(fairBlend)->ArgName("case")->DenseRange(0, 31)->MinTime(0.05);
+
+/// A quintic of simple knots along +x, 2 mm beside the end of the first case's first curve.
+BSplineCurve longSpline(int spans) {
+  const Vector3 from = test::blendCases().front().first.endPoint(CurveEnd::kEnd);
+  BSplineData data{.poles = Poles(3, spans + 5),
+                   .weights = {},
+                   .knots = {},
+                   .degree = 5,
+                   .periodic = false,
+                   .poleError = 0.0};
+  for (int i = 0; i < spans + 5; ++i) {
+    data.poles.col(i) =
+        from + Vector3(10.0 * i + 2.0, 3.0 * std::sin(0.4 * i), 2.0 * std::cos(0.7 * i));
+  }
+  for (int i = 0; i <= spans; ++i) {
+    data.knots.knots.push_back(i);
+    data.knots.multiplicities.push_back(i == 0 || i == spans ? 6 : 1);
+  }
+  return BSplineCurve(std::move(data));
+}
+
+/// The whole call: the change, its displacement bound and the proof of the join.
+void matchOfLongSpline(benchmark::State& state) {
+  const BSplineCurve first = test::blendCases().front().first;
+  const BSplineCurve second = longSpline(static_cast<int>(state.range(0)));
+  const MatchOptions options{.order = static_cast<int>(state.range(1))};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        matchCurves(first, {.end = CurveEnd::kEnd}, second, CurveEnd::kStart, options));
+  }
+}
+BENCHMARK(matchOfLongSpline)->ArgNames({"spans", "order"})->ArgsProduct({{20, 1000}, {2, 3, 4}});
 
 /// The row of a Hermite system: the derivative of this order of each Bernstein polynomial at an
 /// end.
