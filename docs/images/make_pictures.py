@@ -19,6 +19,7 @@ from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.construct.interpolated_form import InterpolatedForm
 from osculate.gui.construct.joined_form import JoinedForm
 from osculate.gui.construct.extend_form import ExtendForm
+from osculate.gui.construct.match_form import MatchForm
 from osculate.gui.panel.panel_form import PanelForm
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.qt import QtCore, QtGui, QtWidgets
@@ -48,6 +49,7 @@ def main():
     draw_join()
     draw_interpolate()
     draw_extend()
+    draw_match()
     draw_preferences()
 
 
@@ -222,6 +224,24 @@ def draw_extend():
     form.degree.setValue(7)
     pump()
     grab("extend")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_match():
+    """match.png: a spline that is changed to meet another curve, and how far its points moved."""
+    document = open_curves(Stays=((0, 0, 0), (30, 0, 0), (60, 10, 0), (80, 35, 5)))
+    spline = Part.BSplineCurve()
+    spline.interpolate([V(84, 33, 5), V(110, 42, 8), V(130, 30, 10), V(150, 40, 10),
+                        V(175, 35, 5), V(200, 45, 0)])
+    obj = document.addObject("Part::Feature", "Changes")
+    obj.Shape = spline.toShape()
+    document.recompute()
+    ink(document)
+    look(document, "viewTop", 1.0)
+    form = construct(document, "Osculate_Match", MatchForm, "Stays", "Changes")
+    form.order.buttons[2].click()
+    grab("match")
     FreeCADGui.Control.closeDialog()
     FreeCAD.closeDocument(document.Name)
 

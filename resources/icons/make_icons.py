@@ -115,6 +115,9 @@ def command_icons():
         "extend": (stroke("M4 40 C10 42 17 38 21 31", FIRST, 4.6),
                    stroke("M21 31 C25 23 28 13 40 9", GOOD, 4.6),
                    stroke("M32.5 6.5 L41.5 8.6 L37 16.5", GOOD, 4.2), dot(21, 31, 4, *NODE)),
+        "match": (stroke("M3 38 C9 42 17 40 21 33", FIRST, 4.6),
+                  stroke("M25 42 C29 32 34 14 45 9", SECOND, 3.4, ' stroke-dasharray="1 6.2"'),
+                  stroke("M21 33 C26 23 33 13 45 9", GOOD, 4.6), dot(21, 33, 4, *NODE)),
         "keep": pin,
     }
 

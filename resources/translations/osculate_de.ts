@@ -136,7 +136,7 @@
     </message>
     <message>
         <source>Whether the number is given; else it is chosen at each recompute</source>
-        <extracomment>&quot;start&quot; or &quot;end&quot;, in the direction of the edge</extracomment>
+        <extracomment>the JoinReport at its far end, where it can be told</extracomment>
         <translation>Ob die Zahl vorgegeben ist; sonst wird sie bei jeder Neuberechnung gewählt</translation>
     </message>
     <message>
@@ -369,6 +369,63 @@
     <message>
         <source>How many numbers were left free, so that fairness chose them</source>
         <translation>Wie viele Zahlen frei blieben, sodass die Glätte sie wählte</translation>
+    </message>
+    <message>
+        <source>The edge that stays</source>
+        <extracomment>The far end is looked at up to this order, or to the order that is kept if that is higher.</extracomment>
+        <translation>Die Kante, die bleibt</translation>
+    </message>
+    <message>
+        <source>Where it is met</source>
+        <translation>Wo sie getroffen wird</translation>
+    </message>
+    <message>
+        <source>The place inside the reference, as a share of its length</source>
+        <translation>Die Stelle innerhalb der Bezugskante, als Anteil ihrer Länge</translation>
+    </message>
+    <message>
+        <source>The edge that is changed; it stays as it is, the result is another one</source>
+        <translation>Die Kante, die geändert wird; sie selbst bleibt, wie sie ist, das Ergebnis ist eine andere</translation>
+    </message>
+    <message>
+        <source>Which end of it meets the reference</source>
+        <translation>Welches ihrer Enden die Bezugskante trifft</translation>
+    </message>
+    <message>
+        <source>Whether the object of the edge as it was is hidden</source>
+        <translation>Ob das Objekt der Kante, wie sie war, verborgen ist</translation>
+    </message>
+    <message>
+        <source>Order of contact with the reference, 0 to 8</source>
+        <translation>Ordnung der Berührung mit der Bezugskante, 0 bis 8</translation>
+    </message>
+    <message>
+        <source>Up to which order the derivatives at the far end stay, 0 to 8</source>
+        <translation>Bis zu welcher Ordnung die Ableitungen am fernen Ende bleiben, 0 bis 8</translation>
+    </message>
+    <message>
+        <source>The degree; 0 for that of the edge where it suffices, else the least</source>
+        <translation>Der Grad; 0 für den der Kante, wo er genügt, sonst den kleinsten</translation>
+    </message>
+    <message>
+        <source>How many spans may change, from the join; 0 for as many as are useful</source>
+        <translation>Wie viele Segmente sich vom Übergang an ändern dürfen; 0 für so viele, wie nützen</translation>
+    </message>
+    <message>
+        <source>Which ends meet, the nearest being found</source>
+        <translation>Welche Enden sich treffen, nachdem die nächsten gefunden sind</translation>
+    </message>
+    <message>
+        <source>No point of the edge moved farther</source>
+        <translation>Kein Punkt der Kante hat sich weiter bewegt</translation>
+    </message>
+    <message>
+        <source>Root mean square of the displacement over the spans that changed</source>
+        <translation>Quadratisches Mittel der Verschiebung über die geänderten Segmente</translation>
+    </message>
+    <message>
+        <source>How many spans changed, from the join</source>
+        <translation>Wie viele Segmente sich vom Übergang an geändert haben</translation>
     </message>
 </context>
 <context>
@@ -1188,6 +1245,58 @@
         <translation>Welcher Teil der parametrischen Fortsetzung über 0 bis 1 genommen wird; mehr als 1 lässt sie weitergehen</translation>
     </message>
     <message>
+        <source>Match</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>It meets the reference already</source>
+        <translation>Sie trifft die Bezugskante schon</translation>
+    </message>
+    <message>
+        <source>No point moves farther than {}</source>
+        <translation>Kein Punkt bewegt sich weiter als {}</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>changes</source>
+        <translation>ändert sich</translation>
+    </message>
+    <message>
+        <source>Swap the edges: the other one is changed</source>
+        <translation>Kanten vertauschen: die andere wird geändert</translation>
+    </message>
+    <message>
+        <source>as needed</source>
+        <translation>nach Bedarf</translation>
+    </message>
+    <message>
+        <source>How many spans may change, from the join; more of them let each point move less</source>
+        <translation>Wie viele Segmente sich vom Übergang an ändern dürfen; mehr davon lassen jeden Punkt sich weniger bewegen</translation>
+    </message>
+    <message>
+        <source>Hide the edge as it was</source>
+        <translation>Die Kante, wie sie war, verbergen</translation>
+    </message>
+    <message>
+        <source>Far end keeps</source>
+        <translation>Fern bleibt</translation>
+    </message>
+    <message>
+        <source>Up to which derivative nothing changes at the other end: contact there up to this order stays</source>
+        <translation>Bis zu welcher Ableitung sich am anderen Ende nichts ändert: die Berührung dort bis zu dieser Ordnung bleibt</translation>
+    </message>
+    <message>
+        <source>Spans</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Select the edge that stays, then the edge that is to change so that it meets the first.</source>
+        <translation>Wählen Sie die Kante, die bleibt, dann die Kante, die sich so ändern soll, dass sie die erste trifft.</translation>
+    </message>
+    <message>
         <source>Pick a vertex, or a place on an edge or a face, in the 3D view</source>
         <extracomment>whether the next click gives the point</extracomment>
         <translation>Einen Eckpunkt oder eine Stelle auf einer Kante oder Fläche in der 3D-Ansicht wählen</translation>
@@ -1349,6 +1458,19 @@ Eckpunkte auswählen oder ein Objekt für alle seine Eckpunkte.</translation>
 Select edges, or a whole wire or sketch.</source>
         <translation>Macht aus den Kanten einer Kette einen B-Spline mit so wenigen Knoten, wie ihre Stetigkeit erlaubt.
 Kanten auswählen oder einen ganzen Kantenzug oder eine Skizze.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_Match</name>
+    <message>
+        <source>Match</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Changes an edge as little as possible so that it meets another one with continuity G0 to G4.
+Select the edge that stays, then the edge that changes, or click first and select then.</source>
+        <translation>Ändert eine Kante so wenig wie möglich, sodass sie eine andere mit Stetigkeit G0 bis G4 trifft.
+Wählen Sie die Kante, die bleibt, dann die Kante, die sich ändert, oder klicken Sie zuerst und wählen dann.</translation>
     </message>
 </context>
 <context>

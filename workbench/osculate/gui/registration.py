@@ -9,6 +9,7 @@ from osculate.features.extended_curve import ExtendedCurve
 from osculate.features.interpolated_curve import InterpolatedCurve
 from osculate.features.join_check import JoinCheck
 from osculate.features.joined_curve import JoinedCurve
+from osculate.features.matched_curve import MatchedCurve
 from osculate.gui import resources
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.workbench import OsculateWorkbench
@@ -30,6 +31,7 @@ _VIEWS = {
     JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
     BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
     ExtendedCurve: ("osculate.gui.construct.extend_view", "ExtendedCurveView"),
+    MatchedCurve: ("osculate.gui.construct.match_view", "MatchedCurveView"),
     JoinedCurve: ("osculate.gui.construct.joined_view", "JoinedCurveView"),
     InterpolatedCurve: ("osculate.gui.construct.interpolated_view", "InterpolatedCurveView"),
 }

@@ -8,6 +8,7 @@ from osculate.features.selftest.extended_curve_test import ExtendedCurveTest
 from osculate.features.selftest.interpolated_curve_test import InterpolatedCurveTest
 from osculate.features.selftest.joined_curve_test import JoinedCurveTest
 from osculate.features.selftest.joins_test import JoinCheckTest, JoinsTest
+from osculate.features.selftest.matched_curve_test import MatchedCurveTest
 
 __all__ = ["BlendCurveTest", "ExtendedCurveTest", "InterpolatedCurveTest", "JoinCheckTest",
-           "JoinedCurveTest", "JoinsTest"]
+           "JoinedCurveTest", "JoinsTest", "MatchedCurveTest"]

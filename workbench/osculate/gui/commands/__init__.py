@@ -7,9 +7,10 @@ from osculate.gui.commands.blend import Blend
 from osculate.gui.commands.extend import Extend
 from osculate.gui.commands.interpolate import Interpolate
 from osculate.gui.commands.join import Join
+from osculate.gui.commands.match import Match
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin, Blend, Extend, Join, Interpolate)
+COMMANDS = (AnalyzeJoin, Blend, Extend, Match, Join, Interpolate)
 
 
 def register():
