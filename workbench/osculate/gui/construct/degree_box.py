@@ -12,7 +12,7 @@ class DegreeBox(SpinBox):
         super().__init__()
         self.setRange(0, MOST_DEGREE)
         self.show_degree(0, MOST_DEGREE)
-        self.setFixedWidth(self.fontMetrics().horizontalAdvance(self.text()) + 36)
+        self.setFixedWidth(self.fontMetrics().horizontalAdvance(self.text()) + 44)
 
     def show_degree(self, wanted, made):
         """Shows the degree wanted, 0 for the least, and that of the curve."""

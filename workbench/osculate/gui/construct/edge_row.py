@@ -3,6 +3,7 @@
 from osculate.gui import resources
 from osculate.gui.panel.edges_bar import ElidedLabel
 from osculate.gui.panel.side_tag import side_tag
+from osculate.gui.panel.toggle_button import ToggleButton
 from osculate.gui.qt import QtCore, QtWidgets, Signal, translate
 
 
@@ -19,10 +20,9 @@ class EdgeRow(QtWidgets.QWidget):
         self.name = ElidedLabel()
         self.role = QtWidgets.QLabel(role)
         self.role.setVisible(bool(role))
-        self.pick = QtWidgets.QToolButton()
+        self.pick = ToggleButton()
         self.pick.setIcon(resources.icon("follow"))
         self.pick.setIconSize(QtCore.QSize(16, 16))
-        self.pick.setCheckable(True)
         self.pick.setToolTip(translate("Osculate", "Pick an edge in the 3D view or in the tree"))
         self.pick.clicked.connect(self.pick_toggled)
         self.extras = QtWidgets.QHBoxLayout()

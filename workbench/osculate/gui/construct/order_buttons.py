@@ -1,6 +1,7 @@
 """Buttons G0 to G4, and a menu for the orders above, of which one is pressed."""
 
 from osculate import MAX_ORDER
+from osculate.gui.panel.toggle_button import ToggleButton
 from osculate.gui.qt import QtGui, QtWidgets, Signal, translate
 
 _PLAIN = 4  # the highest order with a button of its own
@@ -15,8 +16,7 @@ class OrderButtons(QtWidgets.QWidget):
         super().__init__()
         self._letter = "G"
         self.buttons = [self._button(order) for order in range(_PLAIN + 1)]
-        self.more = QtWidgets.QToolButton()
-        self.more.setCheckable(True)
+        self.more = ToggleButton()
         self.more.setPopupMode(QtWidgets.QToolButton.ToolButtonPopupMode.InstantPopup)
         self.more.setToolTip(translate("Osculate", "Higher orders"))
         self.more.setMenu(self._menu())
@@ -43,9 +43,8 @@ class OrderButtons(QtWidgets.QWidget):
         self.more.setText(f"{self._letter}{order}" if order > _PLAIN else "…")
 
     def _button(self, order):
-        button = QtWidgets.QToolButton()
+        button = ToggleButton()
         button.setText(f"G{order}")
-        button.setCheckable(True)
         button.setMinimumWidth(34)
         button.setToolTip(_meaning(order))
         button.clicked.connect(lambda: self._choose(order))

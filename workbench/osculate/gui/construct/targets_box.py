@@ -10,6 +10,7 @@ from osculate.gui.construct.vector_row import VectorRow
 from osculate.gui.panel.edges_bar import ElidedLabel
 from osculate.gui.panel.number_spin_box import NumberSpinBox
 from osculate.gui.panel.quiet import ComboBox
+from osculate.gui.panel.toggle_button import ToggleButton
 from osculate.gui.qt import QtCore, QtWidgets, Signal, translate
 
 _LEAST_CURVATURE, _MOST_CURVATURE = 0.0, 1e9
@@ -26,10 +27,9 @@ class TargetsBox(QtWidgets.QWidget):
         self._far = None  # the PointGeometry of the far end
         self.point = _choice(POINTS, _point_name)
         self.vertex = ElidedLabel()
-        self.pick = QtWidgets.QToolButton()
+        self.pick = ToggleButton()
         self.pick.setIcon(resources.icon("follow"))
         self.pick.setIconSize(QtCore.QSize(16, 16))
-        self.pick.setCheckable(True)
         self.pick.setToolTip(translate("Osculate", "Pick a vertex, or a place on an edge or a "
                                                    "face, in the 3D view"))
         self.position = VectorRow(" mm")

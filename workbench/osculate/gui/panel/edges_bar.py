@@ -2,6 +2,7 @@
 
 from osculate.gui import resources
 from osculate.gui.panel.side_tag import side_tag
+from osculate.gui.panel.toggle_button import ToggleButton
 from osculate.gui.qt import Qt, QtCore, QtWidgets, Signal, translate
 
 _ARROWS = {"end": "→|", "start": "|←"}  # the first edge arrives at the join ...
@@ -20,11 +21,11 @@ class EdgesBar(QtWidgets.QWidget):
         self.sides = [_SideRow(number, color) for number, color in enumerate(side_colors, start=1)]
         self.sides[0].end_button.clicked.connect(lambda: self._flip(0))
         self.sides[1].end_button.clicked.connect(lambda: self._flip(1))
-        self.nearest = _button("nearest", translate("Osculate", "Always take the ends that lie "
-                                                                "nearest"))
-        self.nearest.setCheckable(True)
+        self.nearest = _dressed(ToggleButton(), "nearest", translate(
+            "Osculate", "Always take the ends that lie nearest"))
         self.nearest.clicked.connect(self._nearest_clicked)
-        self.swap = _button("swap", translate("Osculate", "Swap the edges: travel the other way"))
+        self.swap = _dressed(QtWidgets.QToolButton(), "swap", translate(
+            "Osculate", "Swap the edges: travel the other way"))
         self.swap.clicked.connect(self.swapped)
         self._lay_out()
 
@@ -100,8 +101,7 @@ class ElidedLabel(QtWidgets.QLabel):
                                                    self.width()))
 
 
-def _button(icon, tip):
-    button = QtWidgets.QToolButton()
+def _dressed(button, icon, tip):
     button.setIcon(resources.icon(icon))
     button.setIconSize(QtCore.QSize(16, 16))
     button.setToolTip(tip)
