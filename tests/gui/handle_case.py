@@ -6,8 +6,8 @@ from osculate.gui.overlays.screen import Screen
 from osculate.gui.qt import Qt, QtCore, QtGui, QtWidgets
 
 
-class HandleUser:
-    """Mixed into a test case, in front of it; `handles()` of the class says where they are."""
+class MouseUser:
+    """Mixed into a test case, in front of it: the mouse in the widget `canvas` of a 3D view."""
 
     def setUp(self):
         super().setUp()
@@ -16,22 +16,6 @@ class HandleUser:
     def tearDown(self):
         self.canvas = None  # PySide would take it for the next one at the same address
         super().tearDown()
-
-    def handles(self):
-        """The Handles as they are now."""
-        raise NotImplementedError
-
-    def handle(self, key):
-        return {handle.key: handle for handle in self.handles()}[key]
-
-    def place(self, key, distance=None):
-        """Where a handle is in the canvas, or would be at a distance in mm."""
-        handle, screen = self.handle(key), Screen(self.view())
-        seen = screen.beside(handle.at(handle.distance), handle.direction, handle.aside)
-        aside = [x - y for x, y in zip(seen, handle.at(handle.distance))]
-        point = handle.at(handle.distance if distance is None else distance)
-        x, y = screen.pixel_of([a + b for a, b in zip(point, aside)])
-        return QtCore.QPoint(round(x), self.canvas.height() - 1 - round(y))
 
     def press_at(self, place):
         self.move_to(place, Qt.MouseButton.NoButton)
@@ -51,6 +35,26 @@ class HandleUser:
         QTest.mouseRelease(self.canvas, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
                            place)
         self.pump()
+
+
+class HandleUser(MouseUser):
+    """Mixed into a test case, in front of it; `handles()` of the class says where they are."""
+
+    def handles(self):
+        """The Handles as they are now."""
+        raise NotImplementedError
+
+    def handle(self, key):
+        return {handle.key: handle for handle in self.handles()}[key]
+
+    def place(self, key, distance=None):
+        """Where a handle is in the canvas, or would be at a distance in mm."""
+        handle, screen = self.handle(key), Screen(self.view())
+        seen = screen.beside(handle.at(handle.distance), handle.direction, handle.aside)
+        aside = [x - y for x, y in zip(seen, handle.at(handle.distance))]
+        point = handle.at(handle.distance if distance is None else distance)
+        x, y = screen.pixel_of([a + b for a, b in zip(point, aside)])
+        return QtCore.QPoint(round(x), self.canvas.height() - 1 - round(y))
 
     def drag(self, key, distance):
         """Drags a handle to a distance in mm, in two moves."""

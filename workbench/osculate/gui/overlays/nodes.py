@@ -24,12 +24,17 @@ def rgb(name):
 
 def flat_color(color, transparency=0.0):
     """Nodes for a colour that no light changes."""
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
     material = coin.SoMaterial()
     material.diffuseColor = color
     material.transparency = transparency
-    return light, material
+    return unlit(), material
+
+
+def unlit():
+    """A node after which no light changes colours."""
+    light = coin.SoLightModel()
+    light.model = coin.SoLightModel.BASE_COLOR
+    return light
 
 
 def line_style(width, pattern=SOLID):
@@ -112,12 +117,17 @@ def at(point, *children):
 
 def untouchable(*children):
     """Children drawn over the model that cannot be picked."""
-    pick = coin.SoPickStyle()
-    pick.style = coin.SoPickStyle.UNPICKABLE
     annotation = coin.SoAnnotation()
-    for child in (pick, *children):
+    for child in (unpickable(), *children):
         annotation.addChild(child)
     return annotation
+
+
+def unpickable():
+    """A node after which nothing can be picked."""
+    pick = coin.SoPickStyle()
+    pick.style = coin.SoPickStyle.UNPICKABLE
+    return pick
 
 
 def without_extent(*children):

@@ -33,9 +33,7 @@ class Screen:
 
         None where the line points at the viewer, or is behind.
         """
-        x, y = (2.0 * place / size - 1.0 for place, size in zip(pixel, (self._width, self._height)))
-        to_model = self._matrix.inverse()
-        near, far = (to_model.multVecMatrix(coin.SbVec3f(x, y, depth)) for depth in (-1.0, 1.0))
+        near, far = self._sight(pixel)
         sight = far - near
         sight.normalize()
         direction = _vector(direction)
@@ -46,6 +44,25 @@ class Screen:
         between = near - _vector(origin)
         distance = (between.dot(direction) - cosine * between.dot(sight)) / (1.0 - cosine * cosine)
         return distance if math.isfinite(distance) else None
+
+    def beneath(self, pixel, point):
+        """The point of the model that is seen under a pixel, as far from the viewer as `point`.
+
+        None where the sight does not reach so far, as behind the camera.
+        """
+        near, far = self._sight(pixel)
+        sight = far - near
+        across = self._volume.getProjectionDirection()
+        slope = sight.dot(across)
+        if slope <= 0.0:
+            return None
+        return tuple(near + sight * ((_vector(point) - near).dot(across) / slope))
+
+    def _sight(self, pixel):
+        """The points of the near and the far plane under a pixel."""
+        x, y = (2.0 * place / size - 1.0 for place, size in zip(pixel, (self._width, self._height)))
+        to_model = self._matrix.inverse()
+        return tuple(to_model.multVecMatrix(coin.SbVec3f(x, y, depth)) for depth in (-1.0, 1.0))
 
 
 def _vector(point):

@@ -14,6 +14,9 @@ _RING_RADIUS = 7.0
 #: The size of a knob, and how far above its point a caption is.
 _KNOB, _CAPTION_UP = 20.0, 22.0
 
+#: A note's distance from its point, to the right and up.
+_NOTE_AWAY = 5.0
+
 #: A label's distance from its point, its rim, and where the line to the point begins.
 _REACH_RIGHT, _REACH_UP, _MARGIN, _LEAD = 30.0, 58.0, 2.0, 5.0
 
@@ -144,6 +147,22 @@ def caption(text, color, points):
     _draw_text(painter, box, text, font, _TEXT_COLOR)
     painter.end()
     return _image_node(picture, coin.SoImage.CENTER, coin.SoImage.BOTTOM)
+
+
+def note(text, points):
+    """A few characters in a pale field, up to the right of their point."""
+    font, _ = _label_fonts(points)
+    metrics = QtGui.QFontMetricsF(font)
+    width, height = metrics.horizontalAdvance(text) + 8.0, metrics.height()
+    picture = _canvas(width + _NOTE_AWAY, height + _NOTE_AWAY)
+    painter = _painter(picture)
+    box = QtCore.QRectF(_NOTE_AWAY, 0.0, width, height)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QtGui.QColor(255, 255, 255, 205))
+    painter.drawRoundedRect(box, 3.0, 3.0)
+    _draw_text(painter, box, text, font, _TEXT_COLOR)
+    painter.end()
+    return _image_node(picture, coin.SoImage.LEFT, coin.SoImage.BOTTOM)
 
 
 def callout(name, text, color, points, corner):

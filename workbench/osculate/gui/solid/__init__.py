@@ -1,0 +1,1 @@
+"""Bézier solids and their contact in the 3D view."""

@@ -1,0 +1,92 @@
+"""All that is drawn of a Bézier solid; what is not shown costs nothing."""
+
+import numpy
+from pivy import coin
+
+from osculate.gui.solid import meshes
+from osculate.gui.solid.jacobian_colors import colors_of
+from osculate.gui.solid.look import WIREFRAME
+from osculate.gui.solid.net_node import NetNode
+from osculate.gui.solid.slices_node import SlicesNode
+from osculate.gui.solid.surface_node import LinesNode, SurfaceNode, behind_lines
+
+_PARAMETER_LINE = 0.5  # of the width of an edge
+_ROUGHER = 4.0         # bound of the mesh while a point is dragged
+_INSIDE = 10           # divisions of the lattice on which Jacobians inside are sampled
+
+
+class SolidNode:
+    """Draws a solid in E3 as a Look says; `node` goes into the scene and stays there."""
+
+    def __init__(self):
+        self.node = coin.SoSeparator()
+        self._parts = {}
+        self.jacobians = None  #: (least, largest) that were seen, where they are the colours
+
+    def clear(self):
+        """Draws nothing."""
+        self.node.removeAllChildren()
+        self._parts, self.jacobians = {}, None
+
+    def show(self, solid, look, is_dragged=False):
+        """Draws a solid; roughly while a point is dragged."""
+        needs_mesh = look.has_faces or look.has_edges
+        bound = meshes.bound_for(solid, look.deviation) * (_ROUGHER if is_dragged else 1.0)
+        faces = meshes.faces_of(solid, bound, look.by_jacobian) if needs_mesh else None
+        self.jacobians = _range(solid, faces) if look.by_jacobian else None
+        largest = max(map(abs, self.jacobians)) if look.by_jacobian else None
+        self._show_edges(solid, look, faces)
+        self._show_slices(solid, look, largest)
+        self._show_faces(look, faces, largest)
+        self._show_net(solid, look)
+
+    def _show_edges(self, solid, look, faces):
+        if self._needs("edges", look.has_edges, LinesNode):
+            edges = self._parts["edges"]
+            edges.show(meshes.edges_of(solid, faces.divisions) if faces.divisions else [])
+            edges.paint(look.line_color, look.line_width)
+        if self._needs("lines", look.mode == WIREFRAME, LinesNode):
+            lines = self._parts["lines"]
+            lines.show(meshes.parameter_lines(solid, faces.divisions) if faces.divisions else [])
+            lines.paint(look.line_color, max(_PARAMETER_LINE * look.line_width, 1.0))
+
+    def _show_slices(self, solid, look, largest):
+        if self._needs("slices", look.slices > 0, SlicesNode):
+            self._parts["slices"].show(solid, look.direction, look.slices, look.color, largest)
+
+    def _show_faces(self, look, faces, largest):
+        if not self._needs("faces", look.has_faces, lambda: SurfaceNode(behind_lines())):
+            return
+        surface = self._parts["faces"]
+        surface.show(faces.surfaces)
+        if look.by_jacobian and faces.surfaces:
+            values = numpy.concatenate([face.values for face in faces.surfaces])
+            surface.paint_points(colors_of(values, largest), look.transparency)
+        else:
+            surface.paint(look.color, look.transparency)
+
+    def _show_net(self, solid, look):
+        if self._needs("net", look.net, NetNode):
+            net = self._parts["net"]
+            net.show(solid, indices=look.indices, weights=look.weights,
+                     text_points=look.text_points)
+            net.paint(look.net_color, look.point_size, look.is_edited)
+
+    def _needs(self, name, is_wanted, make):
+        """Whether a part is wanted; puts it into the scene or takes it out."""
+        if is_wanted and name not in self._parts:
+            self._parts[name] = make()
+            self.node.addChild(self._parts[name].node)
+        elif not is_wanted and name in self._parts:
+            self.node.removeChild(self._parts.pop(name).node)
+        return is_wanted
+
+
+def _range(solid, faces):
+    """(least, largest) Jacobian on the faces and on a lattice inside."""
+    values = [solid.jacobian(meshes.solid_lattice(_INSIDE))]
+    if faces is not None:
+        values.extend(face.values for face in faces.surfaces)
+    values = numpy.concatenate(values)
+    values = values[numpy.isfinite(values)]
+    return (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)

@@ -1,0 +1,123 @@
+"""How a BezierSolid is seen: faces, edges, control net, slices; its points dragged in edit mode."""
+
+import FreeCADGui
+
+from osculate.gui import numbers, preferences, resources
+from osculate.gui.editable_view import EditableView
+from osculate.gui.qt import QtGui
+from osculate.gui.solid import view_properties
+from osculate.gui.solid.look import MODES, SHADED_WITH_EDGES, look_of
+from osculate.gui.solid.net_node import index_text, weight_of
+from osculate.gui.solid.point_edit import PointEdit
+from osculate.gui.solid.point_handles import PointHandles
+from osculate.gui.solid.solid_node import SolidNode
+from osculate.gui.solid.value import in_space, indices_of, value_of
+
+_MODE = "Solid"  # the only one of Coin's switch; what a mode shows is decided in SolidNode
+_INPUTS = ("Points", "Weights", "FourthCoordinates")
+
+
+class SolidView(EditableView):
+    """View provider proxy of a BezierSolid; documents name this class."""
+
+    _mode = SHADED_WITH_EDGES
+    _handles = _edit = None  # while the object is edited
+    _solid = None    # what is drawn, in E3
+
+    def attach(self, vobj):
+        super().attach(vobj)
+        self._node = SolidNode()
+        vobj.addDisplayMode(self._node.node, _MODE)
+        view_properties.complete(vobj)
+        self._draw()
+
+    # What FreeCAD asks and tells
+
+    def getDisplayModes(self, _vobj):
+        return list(MODES)
+
+    def getDefaultDisplayMode(self):
+        return SHADED_WITH_EDGES
+
+    def setDisplayMode(self, mode):
+        self._mode = mode if mode in MODES else SHADED_WITH_EDGES
+        self._draw()
+        return _MODE
+
+    def getIcon(self):
+        return resources.icon_path("bezier-solid")
+
+    def updateData(self, _obj, prop):
+        if prop in _INPUTS:
+            self._draw()
+
+    def onChanged(self, vobj, prop):
+        if prop in view_properties.NAMES and view_properties.are_complete(vobj):
+            self._draw()
+
+    def onDelete(self, _vobj, _subelements):
+        self._end_handles()
+        return True
+
+    # Editing
+
+    def setEdit(self, _vobj, mode):
+        if mode != 0 or FreeCADGui.Control.activeDialog():
+            return False
+        self._begin_handles()
+        self._draw()
+        return True
+
+    def unsetEdit(self, _vobj, mode):
+        self._end_handles()
+        self._draw()
+        return mode == 0
+
+    def _begin_handles(self):
+        obj = self._object
+        if "ReadOnly" in obj.getEditorMode("Points"):
+            return  # what another object makes
+        self._edit = edit = PointEdit(obj)  # Qt alone does not keep it
+        self._handles = PointHandles(obj.Document.Name)
+        self._node.node.addChild(self._handles.node)
+        self._handles.moved.connect(edit.move)
+        self._handles.let_loose.connect(edit.finish)
+        self._handles.taken_back.connect(edit.cancel)
+        for signal in (self._handles.let_loose, self._handles.taken_back):
+            signal.connect(self._draw)
+        self._handles.hovered.connect(self._show_handles)
+
+    def _end_handles(self):
+        if self._handles is not None:
+            self._node.node.removeChild(self._handles.node)
+            self._handles.remove()
+            self._handles = self._edit = None
+
+    # Drawing
+
+    def _draw(self):
+        vobj = self._object.ViewObject
+        if vobj is None or not view_properties.are_complete(vobj):
+            return
+        solid = value_of(self._object)
+        if solid is None:
+            return
+        self._solid = in_space(solid)
+        look = look_of(vobj, self._mode, self._handles is not None,
+                       preferences.load().label_points)
+        self._node.show(self._solid, look,
+                        self._handles is not None and self._handles.is_dragging)
+        self._show_handles()
+
+    def _show_handles(self):
+        if self._handles is not None and self._solid is not None:
+            color = QtGui.QColor.fromRgbF(*self._object.ViewObject.NetColor[:3]).name()
+            self._handles.show(self._solid.points, color, self._caption)
+
+    def _caption(self, place):
+        """(text, size) of what is said of the control point at the mouse."""
+        point = ", ".join(numbers.number(float(x)) for x in self._solid.points[place])
+        text = f"{index_text(indices_of(self._solid.degree)[place])}   ({point}) mm"
+        if self._solid.is_rational:
+            text += f"   w = {numbers.number(weight_of(self._solid, place))}"
+        return text, preferences.load().label_points
