@@ -110,13 +110,10 @@ Minimum solveLeastDegree(const ContactJet& from, const ContactJet& to, const Ble
                          Quadrature quadrature) {
   const int degree = options.order[0] + options.order[1] + 1;
   const BlendProblem problem(from, to, options, degree, quadrature);
-  Minimum best{problem.start(1.0, 1.0), std::numeric_limits<double>::infinity()};
+  std::vector<Minimum> found;
   const auto consider = [&](const std::vector<double>& start) {
-    Minimum candidate = minimize(functionOf(problem), start);
-    if (candidate.objective < best.objective) best = std::move(candidate);
+    found.push_back(minimize(functionOf(problem), start, found));
   };
-  for (const auto& start : starts(problem))
-    consider(start);
   if (std::max(options.order[0], options.order[1]) > 2) {
     BlendOptions lower = options;
     for (int& order : lower.order)
@@ -127,7 +124,10 @@ Minimum solveLeastDegree(const ContactJet& from, const ContactJet& to, const Ble
     consider(
         problem.startLike(bezierFromPoles(lowerProblem.poles(below.unknowns).data(), lowerDegree)));
   }
-  return best;
+  for (const auto& start : starts(problem))
+    consider(start);
+  const auto worse = [](const Minimum& a, const Minimum& b) { return a.objective < b.objective; };
+  return *std::min_element(found.begin(), found.end(), worse);
 }
 
 /// The optimum of the least degree, from which that of the degree asked for starts: never worse.

@@ -23,8 +23,10 @@ struct Minimum {
 
 /// A local minimum by sequential quadratic programming (Kraft 1988, as NLopt has it): with bounds
 /// only, a quasi-Newton method. Never worse than the start; the best seen counts, wherever it
-/// stops.
-Minimum minimize(const BoundedFunction& function, const std::vector<double>& start);
+/// stops. It stops early where it comes near one of `known`, minima that it would find again, or
+/// stays far above them.
+Minimum minimize(const BoundedFunction& function, const std::vector<double>& start,
+                 const std::vector<Minimum>& known = {});
 
 /// The same minimum to rounding, so that the curve follows a task that moves a little by a little:
 /// Newton's method with the Hessian from differences of the gradient of `model`, which may be the

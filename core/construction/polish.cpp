@@ -65,7 +65,7 @@ class Metric {
 /// Halves the step until it lowers the objective; nothing where it does not.
 std::optional<Point> descend(const BoundedFunction& function, const Point& from,
                              const Eigen::VectorXd& step) {
-  constexpr int kMostHalvings = 6;
+  constexpr int kMostHalvings = 16;  // the model may bend far more than the function
   double share = 1.0;
   for (int i = 0; i <= kMostHalvings; ++i, share *= 0.5) {
     Eigen::VectorXd x = from.x + share * step;
@@ -80,7 +80,7 @@ std::optional<Point> descend(const BoundedFunction& function, const Point& from,
 }  // namespace
 
 Minimum polish(const BoundedFunction& function, const SmoothFunction& model, const Minimum& start) {
-  constexpr int kMostSteps = 20;
+  constexpr int kMostSteps = 30;
   constexpr double kSmallestGain = 1e-14;  // of the objective, a logarithm
   constexpr double kSlow = 0.05;           // a step that gains more than this share of the last
   if (start.unknowns.empty() || !std::isfinite(start.objective)) return start;
