@@ -4,9 +4,10 @@ import FreeCAD
 
 import osculate
 from osculate.features import beta_properties
-from osculate.features.constructed import Constructed, make
+from osculate.features.constructed import RESULT, Constructed
 from osculate.features.departure import CHOICES, NEAREST, ends_of
 from osculate.features.edge_link import EdgeLink, resolve_each
+from osculate.features.feature import make
 from osculate.features.properties import LINK, READ_ONLY, SHOWN, set_if_changed
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -51,7 +52,7 @@ class BlendCurve(Constructed):
     """Proxy of a Part::FeaturePython; documents name this class."""
 
     groups = (_EDGES, _BLEND, *map(beta_properties.group, SIDES))
-    result_groups = (_ENDS_MADE,)
+    result_groups = (_ENDS_MADE, RESULT)
     starts = {
         **dict.fromkeys(("FirstEnd", "SecondEnd"), list(CHOICES)),
         **dict.fromkeys(("FirstPosition", "SecondPosition"), (0.5, 0.0, 1.0, 0.05)),

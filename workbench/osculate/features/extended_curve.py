@@ -6,11 +6,12 @@ import Part
 import osculate
 from osculate.features import extended_curve_properties as names
 from osculate.features.blend_curve import FAIRNESS, MOST_DEGREE
-from osculate.features.constructed import Constructed, make
+from osculate.features.constructed import RESULT, Constructed
 from osculate.features.edge_link import EdgeLink, VertexLink
 from osculate.features.extended_curve_properties import (
     BETA, GEOMETRIC, MAGNITUDE, NATURAL, NONE, PARAMETRIC, POSITION, REPARAMETRISED, TANGENTIAL,
     VECTOR, VERTEX, beta_numbers, tangential_numbers)
+from osculate.features.feature import make
 from osculate.features.joins import END_NAMES
 from osculate.features.properties import HIDDEN, READ_ONLY, SHOWN, set_if_changed
 
@@ -19,7 +20,7 @@ class ExtendedCurve(Constructed):
     """Proxy of a Part::FeaturePython; documents name this class."""
 
     groups = names.GROUPS
-    result_groups = names.RESULT_GROUPS
+    result_groups = (*names.RESULT_GROUPS, RESULT)
     starts = names.STARTS
 
     def construct(self, obj):

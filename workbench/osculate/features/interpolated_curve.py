@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import FreeCAD
 
 import osculate
-from osculate.features.constructed import Constructed, make
+from osculate.features.constructed import Constructed
 from osculate.features.edge_link import VertexLink
+from osculate.features.feature import make
 from osculate.features.properties import HIDDEN, SHOWN
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP

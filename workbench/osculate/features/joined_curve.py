@@ -5,8 +5,9 @@ import re
 import FreeCAD
 
 import osculate
-from osculate.features.constructed import Constructed, make, show_result
+from osculate.features.constructed import RESULT, Constructed, show_result
 from osculate.features.edge_link import EdgeLink, LinkError, resolve_each
+from osculate.features.feature import make
 from osculate.features.join_check import continuity_name
 from osculate.features.properties import set_if_changed
 
@@ -38,7 +39,7 @@ class JoinedCurve(Constructed):
     """Proxy of a Part::FeaturePython; documents name this class."""
 
     groups = (_EDGES, _JOIN)
-    result_groups = (_MADE,)
+    result_groups = (_MADE, RESULT)
 
     def construct(self, obj):
         links = links_of(obj)

@@ -8,9 +8,10 @@ import osculate
 from osculate import shapes
 from osculate.features import beta_properties
 from osculate.features.blend_curve import MOST_DEGREE
-from osculate.features.constructed import Constructed, make, show_result
+from osculate.features.constructed import RESULT, Constructed, show_result
 from osculate.features.departure import CHOICES, NEAREST, ends_of
 from osculate.features.edge_link import EdgeLink, LinkError, resolve_each
+from osculate.features.feature import make
 from osculate.features.joins import END_NAMES
 from osculate.features.properties import LINK, READ_ONLY, SHOWN, set_if_changed
 
@@ -62,7 +63,7 @@ class MatchedCurve(Constructed):
     """Proxy of a Part::FeaturePython; documents name this class."""
 
     groups = (_EDGES, _MATCH, beta_numbers.group)
-    result_groups = (_CHANGE,)
+    result_groups = (_CHANGE, RESULT)
     starts = {
         "ReferenceEnd": list(CHOICES),
         "ReferencePosition": (0.5, 0.0, 1.0, 0.05),
