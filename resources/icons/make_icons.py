@@ -122,6 +122,54 @@ def command_icons():
     }
 
 
+#: A tetrahedron with round edges: outline, its front edge, the edge behind.
+BODY = "M5 34 C8 22 14 10 23 5 C34 10 41 20 43 30 C36 34 31 38 27 43 C19 42 11 39 5 34 Z"
+FRONT = "M23 5 C28 17 29 30 27 43"
+BEHIND = "M5 34 C17 29 31 27 43 30"
+CORNERS = ((5, 34), (23, 5), (43, 30), (27, 43))
+
+
+def body(color, *marks):
+    """A solid in a colour, its faces faint."""
+    return (f'<path d="{BODY}" fill="{color}" fill-opacity="0.28"/>',
+            stroke(BEHIND, color, 2.2, ' stroke-dasharray="3 4"'), stroke(BODY, color, 3.8),
+            stroke(FRONT, color, 3.8), *marks)
+
+
+def small(color, transform):
+    return (f'<g transform="{transform}">', *body(color), "</g>")
+
+
+def solid_icons():
+    net = "M5 38 L22 4 L45 32 L27 45 Z M22 4 L27 45"
+    lens = (dot(33, 33, 8.5, "#ffffff", "#3a4653", 3.4), stroke("M39.4 39.4 L45 45", NEUTRAL, 5),
+            stroke("M29 33.4 L32 36.4 L37.2 30", GOOD, 3))
+    facing = (*small(FIRST, "translate(-2 6) scale(0.62)"),
+              *small(SECOND, "translate(50 42) scale(-0.62)"))
+    return {
+        "bezier-solid": body(GOOD),
+        "solid-points": (*body(GOOD), stroke(net, NEUTRAL, 1.8),
+                         *(dot(x, y, 4, *NODE) for x, y in ((5, 38), (22, 4), (45, 32), (27, 45)))),
+        "solid-subdivide": body(
+            GOOD, stroke("M24 28 L5 34 M24 28 L23 5 M24 28 L43 30 M24 28 L27 43", FIRST, 2.8),
+            dot(24, 28, 4, *NODE)),
+        "solid-elevate": (*body(GOOD), stroke("M39 20 V4 M33 10 L39 4 L45 10", "#4a90d9", 4.2)),
+        "solid-attach": (*small(FIRST, "translate(0 4) scale(0.72)"),
+                         stroke("M31 24 L45 8 M31 24 L46 34 M45 8 L46 34 M19 36 L46 34", SECOND,
+                                3.4)),
+        "solid-contact": (*facing, *lens),
+        "solid-validity": (*body(GOOD), *lens),
+        "solid-project": (*small(SECOND, "translate(9 -1) scale(0.62)"),
+                          stroke("M12 24 L6 41 M23 27 L24 43 M34 22 L42 39", NEUTRAL, 2.2,
+                                 ' stroke-dasharray="3 4"'),
+                          stroke("M4 41 L24 44 L44 39", GOOD, 4.2)),
+        "solid-brep": ('<path d="M5 34 L23 5 L43 30 L27 43 Z" fill="#4a90d9" fill-opacity="0.35"/>',
+                       stroke("M5 34 L23 5 L43 30 L27 43 Z M23 5 L27 43", "#4a90d9", 4)),
+        "solid-export": (*small(GOOD, "translate(0 0) scale(0.78)"),
+                         stroke("M38 22 V43 M29 34 L38 43 L46 34", "#4a90d9", 4.6)),
+    }
+
+
 def button_icons():
     sheet = "M17 15 H38 V44 H17 Z"
     return {
@@ -148,6 +196,11 @@ def button_icons():
         "remove": (stroke("M8 24 H40", "#c8102e", 5),),
         "copy": (stroke("M31 12 V6 H9 V35 H15", NEUTRAL, 3.6), stroke(sheet, "#4a90d9", 3.6),
                  stroke("M23 24 H32 M23 31 H32", "#4a90d9", 3.2)),
+        "paste": (stroke("M15 8 H8 V43 H40 V8 H33", NEUTRAL, 3.6),
+                  stroke("M17 5 H31 V12 H17 Z", NEUTRAL, 3.4),
+                  stroke("M24 18 V36 M16 28 L24 36 L32 28", "#4a90d9", 4.2)),
+        "open": (stroke("M4 40 V9 H17 L21 14 H38 V20", NEUTRAL, 3.6),
+                 stroke("M4 40 L12 21 H45 L37 40 Z", "#4a90d9", 3.6)),
         "save": (stroke("M24 6 V30 L14 20 M24 30 L34 20", "#4a90d9", 4.6),
                  stroke("M7 31 V42 H41 V31", NEUTRAL, 4.6)),
     }
@@ -161,7 +214,8 @@ def write(name, marks):
 
 
 def main():
-    for name, marks in {**verdict_icons(), **command_icons(), **button_icons()}.items():
+    for name, marks in {**verdict_icons(), **command_icons(), **solid_icons(),
+                        **button_icons()}.items():
         write(name, marks)
 
 

@@ -57,7 +57,9 @@ class BezierSolid(Feature):
 
     @property
     def value(self):
-        """The osculate.BezierTetrahedron of the last recompute; None if there was none."""
+        """The osculate.BezierTetrahedron of the last recompute; None if there was none or the net
+        was changed since: `restore` makes it then.
+        """
         return self.result
 
     def construct(self, obj):
@@ -81,6 +83,10 @@ class BezierSolid(Feature):
             obj.setEditorMode(name, mode)
         obj.setEditorMode("FourthCoordinates", SHOWN if obj.FourthCoordinates else HIDDEN)
 
+    def onChanged(self, _obj, name):
+        if name in self.inputs():  # by undo too, which recomputes nothing
+            self.result, self.error, self.validity = None, "", None
+
     def onDocumentRestored(self, obj):
         self.restore(obj)
         super().onDocumentRestored(obj)
@@ -100,7 +106,12 @@ def make_bezier_solid(doc, points, weights=None, *, name="BezierSolid"):
         points = _value_of_rows([tuple(point) for point in points], weights)
     elif weights is not None:
         raise ValueError("weights: the solid that is given has its own")
-    return make(doc, BezierSolid, name, **settings_of(points))
+    return make_object(doc, name=name, **settings_of(points))
+
+
+def make_object(doc, *, name="BezierSolid", **properties):
+    """Adds a BezierSolid with some of its properties set, and recomputes it."""
+    return make(doc, BezierSolid, name, **properties)
 
 
 def settings_of(value):

@@ -5,6 +5,7 @@ import FreeCAD
 from osculate.features import make_join_check
 from osculate.features.edge_link import LinkError
 from osculate.gui.qt import translate
+from osculate.gui.transaction import transaction
 
 
 def keep_join(place, options):
@@ -15,15 +16,10 @@ def keep_join(place, options):
     """
     require_one_document(place, place.first.document)
     document = FreeCAD.getDocument(place.first.document)
-    document.openTransaction(translate("Osculate", "Keep join check"))
-    try:
+    with transaction(document, translate("Osculate", "Keep join check")):
         obj = make_join_check(
             document, _target(place.first), _target(place.second), order=options.order,
             ends=place.ends, preset=options.preset, values=options.values, knot=place.knot)
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
     return obj
 
 

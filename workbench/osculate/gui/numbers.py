@@ -4,6 +4,7 @@ import math
 
 MISSING = "–"
 _SMALL = 1e-3  # smaller numbers are written with a power of ten
+_ROUNDING = 1e-12  # of coordinates, as a share of what they belong to
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -19,6 +20,11 @@ def number(value, digits=4):
         mantissa = f"{float(mantissa):.{digits}g}"  # without zeros at the end
     power = f"·10{str(int(exponent)).translate(_SUPERSCRIPTS)}" if exponent else ""
     return mantissa.replace("-", "−") + power
+
+
+def coordinate(value, size, digits=5):
+    """A coordinate of something of this size: "0" for what is only the rounding of one."""
+    return number(0.0 if abs(value) < _ROUNDING * size else value, digits)
 
 
 def quantity(value, unit, digits=4):

@@ -2,14 +2,18 @@
 
 from functools import partial
 from importlib import import_module
+from importlib.util import find_spec
 
 from osculate.features import views
+from osculate.features.bezier_solid import BezierSolid
 from osculate.features.blend_curve import BlendCurve
 from osculate.features.extended_curve import ExtendedCurve
 from osculate.features.interpolated_curve import InterpolatedCurve
 from osculate.features.join_check import JoinCheck
 from osculate.features.joined_curve import JoinedCurve
 from osculate.features.matched_curve import MatchedCurve
+from osculate.features.solid_brep import SolidBRep
+from osculate.features.solid_contact import SolidContact
 from osculate.gui import resources
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.workbench import OsculateWorkbench
@@ -23,7 +27,8 @@ def register(gui):
     gui.addPreferencePage(PreferencesPage, "Osculate")
     gui.addWorkbench(OsculateWorkbench())
     for kind, view in _VIEWS.items():
-        views.register(kind, partial(_give, view))
+        if _is_there(view[0]):
+            views.register(kind, partial(_give, view))
 
 
 #: Proxy class of a document object -> module and class of its view, loaded when it is used.
@@ -34,7 +39,17 @@ _VIEWS = {
     MatchedCurve: ("osculate.gui.construct.match_view", "MatchedCurveView"),
     JoinedCurve: ("osculate.gui.construct.joined_view", "JoinedCurveView"),
     InterpolatedCurve: ("osculate.gui.construct.interpolated_view", "InterpolatedCurveView"),
+    BezierSolid: ("osculate.gui.solid.solid_view", "SolidView"),
+    SolidContact: ("osculate.gui.solid.contact_view", "ContactView"),
+    SolidBRep: ("osculate.gui.solid_panel.brep_view", "SolidBRepView"),
 }
+
+
+def _is_there(module):
+    try:
+        return find_spec(module) is not None
+    except ModuleNotFoundError:
+        return False  # its package neither
 
 
 def _give(view, view_object):

@@ -12,14 +12,17 @@ class OsculateWorkbench(FreeCADGui.Workbench):
     """Registered by InitGui.py; FreeCAD keeps the class's name in the user's configuration."""
 
     MenuText = "Osculate"
-    ToolTip = QT_TRANSLATE_NOOP("Workbench", "Geometric continuity G0 to G4 of curves")
+    ToolTip = QT_TRANSLATE_NOOP("Workbench", "Geometric continuity G0 to G4 of curves, "
+                                             "Bézier solids")
     Icon = resources.icon_path("osculate")
 
     def Initialize(self):
         from osculate.gui import commands  # the panel's modules are loaded when they are used
-        names = commands.register()
-        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Osculate"), names)
-        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Osculate"), names)
+        curves, solids = commands.register()
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Osculate"), curves)
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Bézier solids"), solids)
+        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Osculate"), curves)
+        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Bézier solids"), solids)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

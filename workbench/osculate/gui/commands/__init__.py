@@ -8,13 +8,14 @@ from osculate.gui.commands.extend import Extend
 from osculate.gui.commands.interpolate import Interpolate
 from osculate.gui.commands.join import Join
 from osculate.gui.commands.match import Match
+from osculate.gui.commands.solids import SOLID_COMMANDS
 
 #: In the order of the toolbar and of the menu.
 COMMANDS = (AnalyzeJoin, Blend, Extend, Match, Join, Interpolate)
 
 
 def register():
-    """Makes the commands known to FreeCAD; returns their names."""
-    for command in COMMANDS:
+    """Makes the commands known to FreeCAD; returns the names of those of curves, and of solids."""
+    for command in (*COMMANDS, *SOLID_COMMANDS):
         FreeCADGui.addCommand(command.name, command())
-    return [command.name for command in COMMANDS]
+    return tuple([command.name for command in commands] for commands in (COMMANDS, SOLID_COMMANDS))

@@ -1,9 +1,12 @@
 """What the commands have in common."""
 
+import sys
+
 import FreeCAD
 import FreeCADGui
 
 from osculate.gui import resources
+from osculate.gui.solid_panel.selected import selected_solids
 from osculate.gui.task_dock import widen_dock
 
 
@@ -27,13 +30,26 @@ class Command:
         raise NotImplementedError
 
 
+class SolidCommand(Command):
+    """Base of a command on selected Bézier solids."""
+
+    least, most = 1, sys.maxsize  #: how many it takes
+
+    def IsActive(self):
+        return super().IsActive() and self.least <= len(selected_solids()) <= self.most
+
+
 class ConstructCommand(Command):
     """Base of a command that opens the panel of a construction on what is selected."""
 
     panel = None  #: the class of the ConstructPanel
 
     def Activated(self):
-        panel = self.panel(FreeCAD.ActiveDocument)
-        FreeCADGui.Control.showDialog(panel)
-        widen_dock(panel.form)
-        panel.take_selection()
+        show_panel(self.panel(FreeCAD.ActiveDocument)).take_selection()
+
+
+def show_panel(panel):
+    """Shows a task panel, wide enough; returns it."""
+    FreeCADGui.Control.showDialog(panel)
+    widen_dock(panel.form)
+    return panel

@@ -49,7 +49,7 @@ class Session(QtCore.QObject):
 
     @property
     def result(self):
-        """The last osculate.Construction, or None."""
+        """What the last recompute made, an osculate.Construction mostly, or None."""
         return self.obj.Proxy.result if self.obj else None
 
     @property
@@ -63,7 +63,7 @@ class Session(QtCore.QObject):
         None where there is none.
         """
         known = [energy for energy in self._energies[:self._place + 1] if energy]
-        now = self.result.energy if self.result else None
+        now = self._energy()
         before = known[-1] if known else None
         if now and before == now:
             before = known[-2] if len(known) > 1 else None
@@ -189,7 +189,10 @@ class Session(QtCore.QObject):
             return
         self._place += 1
         self._steps[self._place:] = [settings]
-        self._energies[self._place:] = [self.result.energy if self.result else None]
+        self._energies[self._place:] = [self._energy()]
+
+    def _energy(self):
+        return getattr(self.result, "energy", None)  # a solid has none
 
     def _require_transaction(self):
         """Undo while the panel is open has ended the transaction: what follows is another one."""

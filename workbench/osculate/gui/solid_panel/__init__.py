@@ -1,0 +1,1 @@
+"""The task panels of Bézier solids."""
