@@ -1,5 +1,8 @@
 #include "osculate/bezier/simplex_net.h"
 
+#include <algorithm>
+#include <array>
+
 namespace osculate {
 
 namespace {
@@ -60,10 +63,25 @@ std::vector<int> linePositions(MultiIndex<Corners> start, int a, int b) {
   return positions;
 }
 
-}  // namespace
+/// One step of de Casteljau for columns of a fixed length: of points, homogeneous or not.
+template <int Corners, int Rows>
+void reduceRows(double* data, int degree, const Barycentric<Corners>& at) {
+  forPositions<Corners>(degree - 1, [&](int position, int step, int inner) {
+    double* const to = data + Rows * position;
+    const double* const second = to + Rows * step;
+    const double* const third = second + Rows * (Corners == 3 ? 1 : inner);
+    std::array<double, Rows> sums;
+    for (std::size_t row = 0; row < Rows; ++row) {
+      sums[row] = at[0] * to[row] + at[1] * second[row];
+      if constexpr (Corners >= 3) sums[row] += at[2] * third[row];
+      if constexpr (Corners >= 4) sums[row] += at[3] * third[Rows + row];
+    }
+    std::copy(sums.begin(), sums.end(), to);
+  });
+}
 
 template <int Corners>
-void reduceNet(SimplexNet& net, int degree, const Barycentric<Corners>& at) {
+void reduceAnyRows(SimplexNet& net, int degree, const Barycentric<Corners>& at) {
   const Eigen::Index rows = net.rows();
   double* const data = net.data();
   forPositions<Corners>(degree - 1, [&](int position, int step, int inner) {
@@ -77,6 +95,22 @@ void reduceNet(SimplexNet& net, int degree, const Barycentric<Corners>& at) {
       to[row] = sum;
     }
   });
+}
+
+}  // namespace
+
+template <int Corners>
+void reduceNet(SimplexNet& net, int degree, const Barycentric<Corners>& at) {
+  switch (net.rows()) {
+    case 3:
+      return reduceRows<Corners, 3>(net.data(), degree, at);
+    case 4:
+      return reduceRows<Corners, 4>(net.data(), degree, at);
+    case 5:
+      return reduceRows<Corners, 5>(net.data(), degree, at);
+    default:
+      return reduceAnyRows<Corners>(net, degree, at);
+  }
 }
 
 template <int Corners>
