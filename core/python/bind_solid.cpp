@@ -249,7 +249,19 @@ void bindOperations(py::class_<BezierSimplex<Corners>>& type) {
           py::arg("times") = 1,
           "elevated(self, times=1)\n--\n\nThe same map with the degree raised; ValueError above "
           "degree 12.")
+      .def("transformed", &transformed<Corners>, py::arg("matrix"), kTransformedDoc)
       .def(
+          "edge",
+          [](const Simplex& self, const py::object& a, const py::object& b) {
+            return BSplineCurve(edgeCurve(self, integerFrom(a, "a"), integerFrom(b, "b")));
+          },
+          py::arg("a"), py::arg("b"), kEdgeDoc);
+}
+
+template <int Corners>
+void bindParts(py::class_<BezierSimplex<Corners>>& type) {
+  using Simplex = BezierSimplex<Corners>;
+  type.def(
           "subdivided",
           [](const Simplex& self, const py::object& at) {
             return self.subdivided(
@@ -267,21 +279,13 @@ void bindOperations(py::class_<BezierSimplex<Corners>>& type) {
           },
           py::arg("a"), py::arg("b"),
           "bisected(self, a, b)\n--\n\nThe halves cut at the middle of the edge from corner a to "
-          "b, a pair; the first "
-          "keeps corner a.")
+          "b, a pair; the first keeps corner a.")
       .def(
           "part",
           [](const Simplex& self, const py::object& corners) {
             return self.part(cornersFrom<Corners>(corners));
           },
-          py::arg("corners"), kPartDoc)
-      .def("transformed", &transformed<Corners>, py::arg("matrix"), kTransformedDoc)
-      .def(
-          "edge",
-          [](const Simplex& self, const py::object& a, const py::object& b) {
-            return BSplineCurve(edgeCurve(self, integerFrom(a, "a"), integerFrom(b, "b")));
-          },
-          py::arg("a"), py::arg("b"), kEdgeDoc);
+          py::arg("corners"), kPartDoc);
 }
 
 Array jacobians(const BezierTetrahedron& self, const py::object& u) {
@@ -294,12 +298,8 @@ Array jacobians(const BezierTetrahedron& self, const py::object& u) {
   return result;
 }
 
-void bindTetrahedron(py::class_<BezierTetrahedron>& type) {
-  type.def_property_readonly(
-          "warnings", &netWarnings,
-          "Sentences on what is legal but no whole solid: flat and collapsed nets, corners of "
-          "weight 0.")
-      .def(
+void bindSurfaces(py::class_<BezierTetrahedron>& type) {
+  type.def(
           "face",
           [](const BezierTetrahedron& self, const py::object& i) {
             return face(self, integerFrom(i, "i"));
@@ -313,8 +313,7 @@ void bindTetrahedron(py::class_<BezierTetrahedron>& type) {
           },
           py::arg("coordinate"), py::arg("value"),
           "iso_surface(self, coordinate, value)\n--\n\nThe surface where barycentric coordinate 0 "
-          "to 3 has the value, "
-          "0 <= value < 1, exactly, as a BezierTriangle.")
+          "to 3 has the value, 0 <= value < 1, exactly, as a BezierTriangle.")
       .def(
           "relabelled",
           [](const BezierTetrahedron& self, const py::object& order) {
@@ -322,11 +321,17 @@ void bindTetrahedron(py::class_<BezierTetrahedron>& type) {
           },
           py::arg("order"),
           "relabelled(self, order)\n--\n\nThe same solid; corner c of the result is corner "
-          "order[c] of this one.")
+          "order[c] of this one.");
+}
+
+void bindMap(py::class_<BezierTetrahedron>& type) {
+  type.def_property_readonly(
+          "warnings", &netWarnings,
+          "Sentences on what is legal but no whole solid: flat and collapsed nets, collapsed faces "
+          "and edges, corners of weight 0.")
       .def("jacobian", &jacobians, py::arg("u"),
            "jacobian(self, u)\n--\n\nThe Jacobian determinant of the map at u (as in evaluate), in "
-           "mm^3: positive "
-           "where corners 1, 2, 3 turn left seen from corner 0's opposite side.")
+           "mm^3: positive where corners 1, 2, 3 turn left seen from corner 0's opposite side.")
       .def(
           "normal",
           [](const BezierTetrahedron& self, const py::object& u) {
@@ -336,8 +341,7 @@ void bindTetrahedron(py::class_<BezierTetrahedron>& type) {
           },
           py::arg("u"),
           "normal(self, u)\n--\n\nIn E4: the unit normal of the tangent hyperplane at u; zero "
-          "where the map is "
-          "singular.");
+          "where the map is singular.");
 }
 
 }  // namespace
@@ -346,10 +350,13 @@ void bindSolid(py::module_& m) {
   py::class_<BezierTriangle> triangle(m, "BezierTriangle", kTriangleDoc);
   bindData<3>(triangle);
   bindOperations<3>(triangle);
+  bindParts<3>(triangle);
   py::class_<BezierTetrahedron> tetrahedron(m, "BezierTetrahedron", kTetrahedronDoc);
   bindData<4>(tetrahedron);
   bindOperations<4>(tetrahedron);
-  bindTetrahedron(tetrahedron);
+  bindParts<4>(tetrahedron);
+  bindSurfaces(tetrahedron);
+  bindMap(tetrahedron);
 }
 
 }  // namespace osculate::python

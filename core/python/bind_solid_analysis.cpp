@@ -85,10 +85,9 @@ py::object apexOf(const SolidContact& self, const ContactOrders& orders) {
   return py::cast(Eigen::VectorXd(orders.apex));
 }
 
-void bindContact(py::module_& m) {
+void bindFaces(py::class_<SolidContact>& type) {
   using Report = SolidContact;
-  py::class_<Report>(m, "ContactReport", "The contact of two Bézier solids over a face.")
-      .def_readonly("meets", &Report::meets,
+  type.def_readonly("meets", &Report::meets,
                     "True if two faces are the same to within the tolerance.")
       .def_readonly("gap_mm", &Report::gapMm,
                     "The largest distance of corresponding points of the two faces.")
@@ -96,12 +95,17 @@ void bindContact(py::module_& m) {
           "faces",
           [](const Report& self) { return py::make_tuple(self.faces.first, self.faces.second); },
           "The face of the first and of the second solid (numbers of the opposite corners) that "
-          "meet, or come "
-          "nearest.")
+          "meet, or come nearest.")
       .def_property_readonly(
           "corners", [](const Report& self) { return py::tuple(py::cast(self.faces.corners)); },
           "For each corner of the first solid the corner of the second in its place.")
-      .def_property_readonly(
+      .def_readonly("overlaps", &Report::overlaps,
+                    "True if both solids lie on the same side of the face.");
+}
+
+void bindOrders(py::class_<SolidContact>& type) {
+  using Report = SolidContact;
+  type.def_property_readonly(
           "order", [](const Report& self) { return self.cartesian.order; },
           "The highest s with C^s contact of the maps into space; -1 if no faces meet.")
       .def_property_readonly(
@@ -118,10 +122,15 @@ void bindContact(py::module_& m) {
       .def_property_readonly(
           "apex", [](const Report& self) { return apexOf(self, self.cartesian); },
           "The second solid's free corner in barycentric coordinates of the first, or None.")
-      .def_readonly("overlaps", &Report::overlaps,
-                    "True if both solids lie on the same side of the face.")
-      .def_readonly("degree", &Report::degree, "The degree at which they were compared.")
-      .def("__repr__", &repr);
+      .def_readonly("degree", &Report::degree, "The degree at which they were compared.");
+}
+
+void bindContact(py::module_& m) {
+  py::class_<SolidContact> report(m, "ContactReport",
+                                  "The contact of two Bézier solids over a face.");
+  bindFaces(report);
+  bindOrders(report);
+  report.def("__repr__", &repr);
 }
 
 SolidContact contactOf(const BezierTetrahedron& self, const BezierTetrahedron& other,
@@ -163,6 +172,17 @@ BezierTetrahedron join(const BezierTetrahedron& self, const py::object& apex,
   return next.relabelled(exchanged);
 }
 
+py::list placesOf(const ValidityCertificate& self) {
+  py::list result;
+  for (const SingularPlace& place : self.places) {
+    py::list corners;
+    for (const Barycentric<4>& corner : place.corners)
+      corners.append(Eigen::VectorXd(corner));
+    result.append(py::make_tuple(py::tuple(py::cast(place.between)), corners));
+  }
+  return result;
+}
+
 void bindValidity(py::module_& m) {
   using Report = ValidityCertificate;
   py::class_<Report>(m, "ValidityReport",
@@ -170,9 +190,8 @@ void bindValidity(py::module_& m) {
       .def_property_readonly(
           "verdict", [](const Report& self) { return std::string(name(self.validity)); },
           "'valid': the Jacobian is > 0 everywhere. 'singular': it is >= 0 and vanishes at "
-          "`places`. 'inverted': it "
-          "is < 0 at `witness`. 'undecided': the work allowed did not suffice; it is small near "
-          "`witness`.")
+          "`places`. 'inverted': it is < 0 at `witness`. 'undecided': the work allowed did not "
+          "suffice; it is small near `witness`.")
       .def_property_readonly(
           "witness",
           [](const Report& self) {
@@ -180,20 +199,10 @@ void bindValidity(py::module_& m) {
           },
           "Barycentric coordinates (4,) or None.")
       .def_property_readonly(
-          "places",
-          [](const Report& self) {
-            py::list result;
-            for (const SingularPlace& place : self.places) {
-              py::list corners;
-              for (const Barycentric<4>& corner : place.corners)
-                corners.append(Eigen::VectorXd(corner));
-              result.append(py::make_tuple(py::tuple(py::cast(place.between)), corners));
-            }
-            return result;
-          },
+          "places", &placesOf,
           "A list of (corners of the solid between which the place lies, corners of the place in "
-          "barycentric "
-          "coordinates): one corner for a point, two for a segment, three for a triangle.")
+          "barycentric coordinates): one corner for a point, two for a segment, three for a "
+          "triangle.")
       .def_readonly(
           "is_mirrored", &Report::mirrored,
           "True if the Jacobian is <= 0 everywhere: exchanging two corners makes the solid right.")

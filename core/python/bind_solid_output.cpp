@@ -54,7 +54,8 @@ constexpr const char* kToSolidDoc = R"(to_solid(self)
 
 A Part.Solid with the exact faces (in FreeCAD): planes, ruled patches, and tensor-product patches with
 one edge collapsed to a corner. Raises ValueError for a solid without volume, in E4 or with a corner of
-weight 0, OcctError (a RuntimeError) where the faces bound no valid solid.)";
+weight 0, OcctError (a RuntimeError) where OpenCASCADE finds no valid solid between the faces. It does
+not look for faces that pass through each other: ask `validity` about that first.)";
 
 constexpr const char* kVtuDoc = R"(write_vtu(self, path)
 --

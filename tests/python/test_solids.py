@@ -73,6 +73,14 @@ class DataTest(unittest.TestCase):
         points[:, 2] = 7
         self.assertIn("flat", BezierTetrahedron(2, points).warnings[0])
         self.assertEqual(sample().warnings, [])
+        points = unit(1).points
+        points[1] = points[2]
+        self.assertEqual(BezierTetrahedron(1, points).warnings[0],
+                         "the net is flat: all points lie in one plane")
+        points = sample(2).points
+        points[[i[1] + i[2] == 2 for i in sample(2).indices]] = 1
+        self.assertEqual(BezierTetrahedron(2, points).warnings,
+                         ["edge 1-2 is collapsed to a point"])
 
 
 class EvaluationTest(unittest.TestCase):

@@ -95,20 +95,5 @@ TEST(Space4, RefusesWhatCannotBeProjected) {
   EXPECT_ERROR(embedded(solid, a), "solid: must be in E3");
 }
 
-TEST(NetShape, FlatAndCollapsedNetsAreLegalButSaidToBe) {
-  Random random(7);
-  EXPECT_TRUE(netWarnings(randomSolid(random, 3, true)).empty());
-  Eigen::MatrixXd points = randomSolid(random, 3, false).points();
-  points.row(2).setConstant(5.0);
-  EXPECT_EQ(netWarnings(BezierTetrahedron(3, points)).front(),
-            "the net is flat: all points lie in one plane");
-  points.row(1) = 2.0 * points.row(0);
-  EXPECT_EQ(netWarnings(BezierTetrahedron(3, points)).front(), "the net is collapsed to a line");
-  points.setConstant(1e6);
-  EXPECT_EQ(netWarnings(BezierTetrahedron(3, points)).front(), "the net is collapsed to a point");
-  const BezierTetrahedron zero(1, randomSolid(random, 1, false).points(), {1, 0, 1, 1});
-  EXPECT_NE(netWarnings(zero).back().find("corner 1 has weight 0"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace osculate::test
