@@ -32,6 +32,7 @@ bench:          ## timings beside those of OpenCASCADE, and of a report from Pyt
 	cmake --build --preset bench
 	build/bench/core/bench/osculate_bench
 	PYTHONPATH=workbench:/usr/lib/freecad-python3/lib /usr/bin/python3 -B core/bench/python_report.py
+	PYTHONPATH=workbench /usr/bin/python3 -B core/bench/vtk_solid.py
 
 format:         ## rewrites the C++ sources in the project's format
 	.ci/setup format

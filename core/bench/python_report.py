@@ -28,7 +28,8 @@ def main():
     report = osculate.analyze(first, second)
     rows = [
         ("analyze(edge, edge)", lambda: osculate.analyze(first, second)),
-        ("  edge to curve, twice", lambda: (shapes.curve_from_edge(first), shapes.curve_from_edge(second))),
+        ("  edge to curve, twice",
+         lambda: (shapes.curve_from_edge(first), shapes.curve_from_edge(second))),
         ("  analyze(curve, curve)", lambda: osculate.analyze(a, b)),
         ("report.order", lambda: report.order),
         ("report.to_dict()", report.to_dict),
