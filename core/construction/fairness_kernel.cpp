@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "osculate/differential/lanes.h"
+
 // The loops are compiled twice: for processors with registers of four doubles, and for all.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define OSCULATE_HAS_WIDE 1
@@ -15,53 +17,48 @@ namespace osculate {
 
 namespace {
 
-constexpr int kLanes = 4;  // of every sum, on every machine: the same digits
+constexpr int kWidth = 4;  // of every sum, on every machine: the same digits
 
 /// Four numbers that are added and multiplied at once (an extension that GCC and Clang share).
 using Wide = double __attribute__((vector_size(32), aligned(8), may_alias));
 
 /// The same by registers of two.
 struct Narrow {
-  using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
-  Pair low;
-  Pair high;
+  Lanes low;
+  Lanes high;
 
-  OSCULATE_INLINE Narrow& operator+=(const Narrow& other) {
+  Narrow& operator+=(const Narrow& other) {
     low += other.low;
     high += other.high;
     return *this;
   }
-  OSCULATE_INLINE double operator[](int lane) const {
-    return lane < 2 ? low[lane] : high[lane - 2];
-  }
+  double operator[](int lane) const { return lane < 2 ? low[lane] : high[lane - 2]; }
 };
 
-OSCULATE_INLINE Narrow operator*(const Narrow& a, const Narrow& b) {
-  return {a.low * b.low, a.high * b.high};
-}
-OSCULATE_INLINE Narrow operator*(const Narrow& a, double b) { return {a.low * b, a.high * b}; }
+Narrow operator*(const Narrow& a, const Narrow& b) { return {a.low * b.low, a.high * b.high}; }
+Narrow operator*(const Narrow& a, double b) { return {a.low * b, a.high * b}; }
 
-/// By reference: wide lanes cannot be returned where they might not exist.
-template <class Lanes>
-OSCULATE_INLINE void load(const double* numbers, Lanes& lanes) {
-  std::memcpy(&lanes, numbers, sizeof(Lanes));
+/// By reference: wide registers cannot be returned where they might not exist.
+template <class Four>
+OSCULATE_INLINE void load(const double* numbers, Four& lanes) {
+  std::memcpy(&lanes, numbers, sizeof(Four));
 }
 
-template <class Lanes>
-OSCULATE_INLINE void store(const Lanes& lanes, double* numbers) {
-  std::memcpy(numbers, &lanes, sizeof(Lanes));
+template <class Four>
+OSCULATE_INLINE void store(const Four& lanes, double* numbers) {
+  std::memcpy(numbers, &lanes, sizeof(Four));
 }
 
 /// out = basis * (row of the poles), for the three rows at once.
-template <class Lanes, int Nodes>
+template <class Four, int Nodes>
 OSCULATE_INLINE void multiply(const double* basis, const double* poles, int count,
                               NodeVectors<Nodes>& out) {
-  for (int i = 0; i < Nodes; i += kLanes) {  // the sums stay in registers
-    Lanes x{};
-    Lanes y{};
-    Lanes z{};
+  for (int i = 0; i < Nodes; i += kWidth) {  // the sums stay in registers
+    Four x{};
+    Four y{};
+    Four z{};
     for (int j = 0; j < count; ++j) {
-      Lanes column;
+      Four column;
       load(basis + j * Nodes + i, column);
       x += column * poles[3 * j];
       y += column * poles[3 * j + 1];
@@ -78,12 +75,12 @@ OSCULATE_INLINE double dot(const NodeVectors<Nodes>& u, const NodeVectors<Nodes>
   return u.at[0][i] * v.at[0][i] + u.at[1][i] * v.at[1][i] + u.at[2][i] * v.at[2][i];
 }
 
-template <class Lanes, int Nodes>
+template <class Four, int Nodes>
 OSCULATE_INLINE void derivatives(const NodeTable<Nodes>& table, const double* poles, int count,
                                  NodeDerivatives<Nodes>& out) {
-  multiply<Lanes>(table.basis[0].data(), poles, count, out.a);
-  multiply<Lanes>(table.basis[1].data(), poles, count, out.b);
-  multiply<Lanes>(table.basis[2].data(), poles, count, out.c);
+  multiply<Four>(table.basis[0].data(), poles, count, out.a);
+  multiply<Four>(table.basis[1].data(), poles, count, out.b);
+  multiply<Four>(table.basis[2].data(), poles, count, out.c);
   for (int i = 0; i < Nodes; ++i) {
     out.speed[i] = std::sqrt(dot(out.a, out.a, i));
     out.inverse[i] = 1.0 / out.speed[i];
@@ -150,25 +147,25 @@ OSCULATE_INLINE void bending(const NodeDerivatives<Nodes>& d, NodeDensity<Nodes>
 }
 
 /// Adds (row of the values) * basis for one column of the basis, at four nodes, to each sum.
-template <class Lanes, int Nodes>
+template <class Four, int Nodes>
 OSCULATE_INLINE void addProducts(const NodeVectors<Nodes>& values, const double* column, int i,
-                                 Lanes (&sum)[3]) {
-  Lanes factor;
+                                 Four (&sum)[3]) {
+  Four factor;
   load(column + i, factor);
   for (int x = 0; x < 3; ++x) {
-    Lanes value;
+    Four value;
     load(values.at[x] + i, value);
     sum[x] += value * factor;
   }
 }
 
 /// The three rows of values times the columns of the bases, summed up.
-template <class Lanes, int Nodes>
+template <class Four, int Nodes>
 OSCULATE_INLINE void multiplyTransposed(const NodeTable<Nodes>& table, const NodeDensity<Nodes>& by,
                                         int count, double* gradient) {
   for (int j = 0; j < count; ++j) {
-    Lanes sum[3] = {};
-    for (int i = 0; i < Nodes; i += kLanes) {
+    Four sum[3] = {};
+    for (int i = 0; i < Nodes; i += kWidth) {
       addProducts(by.byA, table.basis[0].data() + j * Nodes, i, sum);
       addProducts(by.byB, table.basis[1].data() + j * Nodes, i, sum);
       addProducts(by.byC, table.basis[2].data() + j * Nodes, i, sum);
@@ -178,7 +175,7 @@ OSCULATE_INLINE void multiplyTransposed(const NodeTable<Nodes>& table, const Nod
   }
 }
 
-template <class Lanes, int Nodes>
+template <class Four, int Nodes>
 OSCULATE_INLINE void gradientOf(const NodeTable<Nodes>& table, const NodeDerivatives<Nodes>& d,
                                 const NodeDensity<Nodes>& density,
                                 const NodeFactors<Nodes>& factors, int count, double* gradient) {
@@ -191,7 +188,7 @@ OSCULATE_INLINE void gradientOf(const NodeTable<Nodes>& table, const NodeDerivat
       by.byC.at[x][i] = factors.density[i] * density.byC.at[x][i];
     }
   }
-  multiplyTransposed<Lanes>(table, by, count, gradient);
+  multiplyTransposed<Four>(table, by, count, gradient);
 }
 
 #ifdef OSCULATE_HAS_WIDE
