@@ -7,44 +7,14 @@
 #include <string>
 #include <tuple>
 
+#include "osculate/continuity/curve_side.h"
+
 namespace osculate {
 
 namespace {
 
-/// To the other end or the middle point.
-double farthestFrom(const BSplineCurve& curve, CurveEnd end) {
-  const Vector3& join = curve.endPoint(end);
-  return std::sqrt(std::max((curve.endPoint(opposite(end)) - join).squaredNorm(),
-                            (curve.middlePoint() - join).squaredNorm()));
-}
-
-/// At an inner knot both sides belong to one curve: its ends and its middle count.
-double reachFrom(const BSplineCurve& curve, const Vector3& join) {
-  return std::sqrt(std::max({(curve.endPoint(CurveEnd::kStart) - join).squaredNorm(),
-                             (curve.endPoint(CurveEnd::kEnd) - join).squaredNorm(),
-                             (curve.middlePoint() - join).squaredNorm()}));
-}
-
-/// The side of a curve that has the segment at the join.
-JoinSide sideOf(const BSplineCurve& curve, const BezierSegment& segment, CurveEnd end,
-                double reach) {
-  const BezierView view = segment.curve.view();
-  if (isBackAtJoin(reach, view, end)) [[unlikely]] {
-    const Vector3 join = view.pole(end == CurveEnd::kStart ? 0 : view.degree);
-    const auto distance = [&](double share) {
-      return (curve.evaluate(std::lerp(curve.first(), curve.last(), share)) - join).norm();
-    };
-    reach = std::max(distance(kGoldenSection), distance(1.0 - kGoldenSection));
-  }
-  return {view, end, reach, segment.length(), segment.poleError};
-}
-
-/// An error beyond the rounding of an exact conversion.
 void markApproximated(const BSplineCurve& curve, JoinReport& report) {
-  constexpr double kRounding = 1000.0 * kUnitRoundoff;
-  const double size = std::max({curve.endPoint(CurveEnd::kStart).norm(),
-                                curve.endPoint(CurveEnd::kEnd).norm(), curve.middlePoint().norm()});
-  if (curve.poleError() > kRounding * size) report.warnings.add(Warning::kApproximated);
+  if (isApproximated(curve)) report.warnings.add(Warning::kApproximated);
 }
 
 CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds ends,
@@ -59,15 +29,19 @@ CurveJoin joinAt(const BSplineCurve& first, const BSplineCurve& second, JoinEnds
   return {report, arriving, leaving, std::nullopt};
 }
 
-/// The join of two segments of one curve.
+/// The join of two neighbouring segments of one curve.
+JoinReport innerReport(const BSplineCurve& curve, const BezierSegment& before,
+                       const BezierSegment& after, const AnalysisOptions& options) {
+  const double reach = reachInside(curve, after.curve.pole(0));
+  JoinReport report = analyzeJoin(sideOf(curve, before, CurveEnd::kEnd, reach),
+                                  sideOf(curve, after, CurveEnd::kStart, reach), options);
+  markApproximated(curve, report);
+  return report;
+}
+
 CurveJoin innerJoin(const BSplineCurve& curve, const BezierSegment& before,
                     const BezierSegment& after, const AnalysisOptions& options) {
-  const double reach = reachFrom(curve, after.curve.pole(0));
-  CurveJoin join{analyzeJoin(sideOf(curve, before, CurveEnd::kEnd, reach),
-                             sideOf(curve, after, CurveEnd::kStart, reach), options),
-                 before, after, after.first};
-  markApproximated(curve, join.report);
-  return join;
+  return {innerReport(curve, before, after, options), before, after, after.first};
 }
 
 }  // namespace
@@ -148,19 +122,32 @@ CurveJoin analyzeAt(const BSplineCurve& curve, double parameter, const AnalysisO
   return innerJoin(curve, arriving, leaving, options);
 }
 
+void visitInnerKnots(const BSplineCurve& curve, const AnalysisOptions& options,
+                     const KnotVisitor& visit) {
+  const auto knots = curve.innerKnots();
+  if (knots.empty()) return;
+  BezierSegment before = curve.segment(0);
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const BezierSegment after = curve.segment(knots[i].spanAfter);
+    const JoinReport report = innerReport(curve, before, after, options);
+    const double done = static_cast<double>(i + 1) / static_cast<double>(knots.size());
+    if (!visit({report, before, after, knots[i].parameter, done})) return;
+    before = after;
+  }
+}
+
 std::vector<CurveJoin> analyzeInnerJoins(const BSplineCurve& curve, const AnalysisOptions& options,
                                          const Progress& progress) {
   checkOptions(options);
   std::vector<CurveJoin> joins;
-  const auto knots = curve.innerKnots();
-  BezierSegment before = curve.segment(0);
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (progress && !progress(static_cast<double>(i) / static_cast<double>(knots.size())))
-      return joins;
-    const BezierSegment after = curve.segment(knots[i].spanAfter);
-    joins.push_back(innerJoin(curve, before, after, options));
-    before = after;
-  }
+  if (progress && curve.spanCount() > 1 && !progress(0.0)) return joins;
+  bool stopped = false;
+  visitInnerKnots(curve, options, [&](const KnotJoin& knot) {
+    joins.push_back({knot.report, knot.before, knot.after, knot.parameter});
+    stopped = progress && knot.done < 1.0 && !progress(knot.done);
+    return !stopped;
+  });
+  if (stopped) return joins;
   if (curve.isClosed(options.tolerances.gapMm)) joins.push_back(analyzeClosing(curve, options));
   if (progress) progress(1.0);
   return joins;

@@ -58,6 +58,20 @@ CurveJoin analyzeClosing(const BSplineCurve& curve, const AnalysisOptions& optio
 CurveJoin analyzeAt(const BSplineCurve& curve, double parameter,
                     const AnalysisOptions& options = {});
 
+/// The join at an inner knot while it is visited.
+struct KnotJoin {
+  const JoinReport& report;
+  const BezierSegment& before;
+  const BezierSegment& after;
+  double parameter;
+  double done;  ///< share of the knots that have been visited, this one included
+};
+/// Returns false to stop.
+using KnotVisitor = std::function<bool(const KnotJoin&)>;
+/// Every inner knot in the order of the parameter; keeps nothing. Options are not checked.
+void visitInnerKnots(const BSplineCurve& curve, const AnalysisOptions& options,
+                     const KnotVisitor& visit);
+
 /// Every inner knot, then the closing join if the curve is closed within the gap tolerance.
 /// `progress` gets the share done (0..1); returning false stops, and what was done is returned.
 using Progress = std::function<bool(double)>;

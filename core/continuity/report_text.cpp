@@ -1,25 +1,15 @@
 #include "osculate/continuity/report_text.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
+#include "osculate/continuity/text_format.h"
+
 namespace osculate {
 
 namespace {
-
-/// printf into a string; C++20's std::format is not in the compilers of Debian 12.
-__attribute__((format(printf, 1, 2))) std::string format(const char* pattern, ...) {
-  std::va_list arguments;
-  va_start(arguments, pattern);
-  char buffer[256];
-  std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
-  va_end(arguments);
-  return buffer;
-}
 
 /// Words as lines of up to 100 columns: the first indented by 2, the others by 4.
 std::string paragraph(const std::string& words) {
@@ -36,15 +26,6 @@ std::string paragraph(const std::string& words) {
   }
   return text + line + "\n";
 }
-
-std::string_view unitOf(int order) { return order == 0 ? " mm" : order == 1 ? " deg" : ""; }
-
-std::string amount(double value, int order) {
-  if (!std::isfinite(value)) return "no such derivative";
-  return format("%.3g", value) + std::string(unitOf(order));
-}
-
-std::string orderName(int order) { return order < 0 ? "gap" : format("G%d", order); }
 
 std::string_view sign(Verdict verdict) {
   switch (verdict) {
@@ -213,13 +194,7 @@ std::string headline(const JoinReport& report) {
            " undecided: " + amount(report.residuals[i], next) + " +- " +
            amount(report.uncertainties[i], next);
   }
-  if (next == 0)
-    return "gap of " + amount(report.residuals[0], 0) + " (tolerance " +
-           amount(report.tolerances[0], 0) + ")";
-  if (!std::isfinite(report.residuals[i]))
-    return name + ", " + orderName(next) + " does not exist at a singular end";
-  return name + ", misses " + orderName(next) + " by " + amount(report.residuals[i], next) +
-         " (tolerance " + amount(report.tolerances[i], next) + ")";
+  return missText(report.order, report.residuals[i], report.tolerances[i]);
 }
 
 std::string disagreement(const JoinReport& report) {

@@ -10,6 +10,7 @@
 #include "osculate/continuity/report_text.h"
 #include "osculate/python/arguments.h"
 #include "osculate/python/join_side.h"
+#include "osculate/python/report_values.h"
 
 namespace osculate::python {
 
@@ -50,17 +51,6 @@ auto property(Map map) {
   return [map](const CurveJoin& self) { return map(self.report); };
 }
 
-py::object finite(double value) {
-  return std::isfinite(value) ? py::object(py::float_(value)) : py::none();
-}
-
-py::tuple upTo(int order, const PerOrder& values) {
-  py::tuple result(order + 1);
-  for (std::size_t k = 0; k < result.size(); ++k)
-    result[k] = finite(values[k]);
-  return result;
-}
-
 /// The numbers of the orders asked for.
 template <auto member>
 py::tuple perOrder(const CurveJoin& self) {
@@ -88,20 +78,7 @@ py::tuple betas(const JoinReport& report) {
   return result;
 }
 
-py::dict deviation(const JoinReport& report) {
-  const Deviation& d = report.deviation;
-  py::dict result;
-  result["gap_mm"] = d.gapMm;
-  result["tangent_angle_deg"] = d.tangentAngleDegrees;
-  result["curvature_vector_per_mm"] = d.curvatureVectorPerMm;
-  result["curvature_relative"] = d.curvatureRelative;
-  result["osculating_plane_angle_deg"] = d.osculatingPlaneAngleDegrees;
-  result["torsion_per_mm"] = d.torsionPerMm;
-  result["curvature_rate_per_mm2"] = d.curvatureRatePerMm2;
-  result["torsion_rate_per_mm2"] = d.torsionRatePerMm2;
-  result["curvature_rate2_per_mm3"] = d.curvatureRate2PerMm3;
-  return result;
-}
+py::dict deviation(const JoinReport& report) { return deviationDict(report.deviation); }
 
 py::object verdictText(const DefinitionResult& result) {
   return result.verdict ? py::object(py::cast(name(*result.verdict))) : py::none();

@@ -14,6 +14,7 @@ void bindSide(py::module_& m);
 void bindReport(py::module_& m);
 void bindContinuity(py::module_& m);
 void bindBatch(py::module_& m);
+void bindAudit(py::module_& m);
 void bindConstruction(py::module_& m);
 void bindBlend(py::module_& m);
 void bindExtend(py::module_& m);

@@ -26,6 +26,7 @@ PYBIND11_MODULE(_core, m) {
   python::bindReport(m);
   python::bindContinuity(m);
   python::bindBatch(m);
+  python::bindAudit(m);
   python::bindConstruction(m);
   python::bindBlend(m);
   python::bindExtend(m);

@@ -15,21 +15,23 @@ Lengths are in mm, angles in degrees. Values are immutable and safe to share bet
 
 import osculate._compiled  # noqa: F401  (first: it says what to do where _core does not load)
 from osculate._core import (
-    MAX_ORDER, BezierTetrahedron, BezierTriangle, Construction, ContactReport, Curve,
+    MAX_ORDER, AuditRow, BezierTetrahedron, BezierTriangle, Construction, ContactReport, Curve,
     DefinitionDetail, FaceMesh, FrenetFrame, JoinReport, JoinSide, JoinWarning, OcctError,
     PointGeometry, SectionMesh, SolidMesh, TolerancePreset, Tolerances, ValidityReport, __version__)
 from osculate import solids
 from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins
+from osculate.auditing import JOIN_KINDS, AuditColumns, AuditReport, SkippedEdge, audit
 from osculate.construction import blend, extend, join, match, nu_spline
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
 from osculate.fairness import energies
 
 __all__ = [
-    "BezierTetrahedron", "BezierTriangle", "Construction", "ContactError", "ContactReport",
-    "Curve", "DefinitionDetail", "FaceMesh", "FrenetFrame", "JoinBatch", "JoinReport",
-    "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry", "SectionMesh",
-    "SolidMesh", "TolerancePreset", "Tolerances", "VERDICTS", "ValidityReport", "__version__",
-    "analyze", "analyze_edge", "analyze_joins", "blend", "energies", "extend", "join",
-    "match", "nu_spline", "solids", "write_csv", "write_json",
+    "AuditColumns", "AuditReport", "AuditRow", "BezierTetrahedron", "BezierTriangle",
+    "Construction", "ContactError", "ContactReport", "Curve", "DefinitionDetail", "FaceMesh",
+    "FrenetFrame", "JOIN_KINDS", "JoinBatch", "JoinReport", "JoinSide", "JoinWarning", "MAX_ORDER",
+    "OcctError", "PointGeometry", "SectionMesh", "SkippedEdge", "SolidMesh", "TolerancePreset",
+    "Tolerances", "VERDICTS", "ValidityReport", "__version__", "analyze", "analyze_edge",
+    "analyze_joins", "audit", "blend", "energies", "extend", "join", "match", "nu_spline", "solids",
+    "write_csv", "write_json",
 ]

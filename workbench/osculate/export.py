@@ -30,7 +30,7 @@ def write_csv(reports, path, *, labels=None):
     """
     rows = [_row(label, report) for label, report in _labelled(reports, labels)]
     columns = list(dict.fromkeys(chain(_FIRST_COLUMNS, *rows)))
-    with _replacing(path) as file:
+    with replacing(path) as file:
         writer = csv.DictWriter(file, columns, restval="", lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
@@ -42,7 +42,7 @@ def write_json(reports, path, *, labels=None):
     """
     entries = [report.to_dict() if label is None else {"label": label, **report.to_dict()}
                for label, report in _labelled(reports, labels)]
-    with _replacing(path) as file:
+    with replacing(path) as file:
         json.dump(entries, file, indent=1, ensure_ascii=False, allow_nan=False)
         file.write("\n")
 
@@ -81,7 +81,7 @@ def _row(label, report):
 
 
 @contextmanager
-def _replacing(path):
+def replacing(path):
     """A text file that takes the place of `path` when all has been written."""
     target = os.path.realpath(path)
     descriptor, draft = tempfile.mkstemp(prefix=".osculate-", dir=os.path.dirname(target))

@@ -32,15 +32,20 @@ def curve_from_edge(edge):
     """
     if not is_edge(edge):
         raise TypeError(f"edge: a Part.Edge is needed, got {_described(edge, 'an edge')}")
-    to_proxy = _proxy_maker()
-    if to_proxy is not None:
-        try:
-            proxy = to_proxy(edge)
-        except sys.modules["Part"].OCCError:
-            pass  # this FreeCAD was built without SWIG or with another runtime of it
-        else:
-            return _core.curve_from_proxy(proxy)
-    return _curve_through_file(edge)
+    return _handed_over(edge, "curve_from_proxy", "curve_from_binary")
+
+
+def audit_table(shape, options, progress):
+    """The _core.AuditTable of a Part.Shape of any kind.
+
+    Raises TypeError for what is no shape, ValueError for a null one; see osculate.audit.
+    """
+    if not is_shape(shape):
+        raise TypeError("shape_or_path: a Part.Shape or the path of a STEP, IGES or BREP file is "
+                        f"needed, got {_described(shape, 'a shape')}")
+    if shape.isNull():
+        raise ValueError("shape_or_path: the shape is null (empty)")
+    return _handed_over(shape, "audit_proxy", "audit_binary", options, progress)
 
 
 def edge_from_curve(curve):
@@ -138,12 +143,18 @@ def edges_in_order(wire):
     return [edge for edge in edges if not edge.Degenerated]
 
 
+def is_shape(value):
+    """Whether the value is a Part.Shape."""
+    part = sys.modules.get("Part")
+    return part is not None and isinstance(value, part.Shape)
+
+
 def is_edge(value):
     """Whether the value is a Part.Edge, or a Part.Shape that holds an edge."""
-    part = sys.modules.get("Part")
-    if part is None or not isinstance(value, part.Shape):
+    if not is_shape(value):
         return False
-    return isinstance(value, part.Edge) or (not value.isNull() and value.ShapeType == "Edge")
+    return (isinstance(value, sys.modules["Part"].Edge)
+            or (not value.isNull() and value.ShapeType == "Edge"))
 
 
 def _described(value, wanted):
@@ -166,10 +177,21 @@ def _proxy_maker():
     return getattr(sys.modules["Part"], "__toPythonOCC__", None)
 
 
-def _curve_through_file(edge):
+def _handed_over(shape, by_proxy, by_file, *arguments):
+    """What the function of _core of the one name makes of the shape's proxy or, where this FreeCAD
+    was built without SWIG or with another runtime of it, that of the other name of a file.
+    """
+    to_proxy = _proxy_maker()
+    if to_proxy is not None:
+        try:
+            proxy = to_proxy(shape)
+        except sys.modules["Part"].OCCError:
+            pass
+        else:
+            return getattr(_core, by_proxy)(proxy, *arguments)
     with _temporary_file() as path:
-        edge.exportBinary(path)
-        return _core.curve_from_binary(path)
+        shape.exportBinary(path)
+        return getattr(_core, by_file)(path, *arguments)
 
 
 @contextlib.contextmanager
