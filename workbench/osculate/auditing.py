@@ -36,7 +36,8 @@ def audit(shape_or_path, *, order=4, tolerances=None, progress=None, pairs="all"
     has no curve or whose curve cannot be converted is in `skipped`, not an error. A vertex that
     edges share says nothing of their curves: a gap there is a join of order -1.
 
-    A file that makes OpenCASCADE break down ends the process, as it does in FreeCAD.
+    A file that makes OpenCASCADE break down ends the process, as it does in FreeCAD; the program
+    `osculate audit` survives it.
 
     Raises TypeError for what is neither shape nor path, ValueError for bad options, a null shape
     and a file that holds no model, OSError for a file that cannot be opened, OcctError (a
