@@ -2,9 +2,13 @@
 
 #include <random>
 
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include "osculate/occt/edge_curve.h"
 
@@ -13,6 +17,7 @@ namespace osculate::bench {
 namespace {
 
 constexpr int kDegree = 5;
+constexpr double kTolerance = 1e-7;
 
 /// Points along x, 10 mm apart, off it by up to 10 mm.
 Poles wavyPoles(int count) {
@@ -29,6 +34,23 @@ std::vector<double> weights(int count, bool rational) {
   for (int i = 0; rational && i < count; ++i)
     result.push_back(1.0 + 0.1 * (i % 3));
   return result;
+}
+
+/// A cubic of two spans, 10 mm along x, that rises to a side and comes back.
+Handle(Geom_BSplineCurve) wave(double x, double side) {
+  TColgp_Array1OfPnt poles(1, 5);
+  poles(1) = gp_Pnt(x, 0, 0);
+  poles(2) = gp_Pnt(x + 2, side, 0);
+  poles(3) = gp_Pnt(x + 5, 3 * side, 1);
+  poles(4) = gp_Pnt(x + 8, side, 0);
+  poles(5) = gp_Pnt(x + 10, 0, 0);
+  TColStd_Array1OfReal knots(1, 3);
+  TColStd_Array1OfInteger multiplicities(1, 3);
+  for (int i = 1; i <= 3; ++i) {
+    knots(i) = i * i;
+    multiplicities(i) = i == 2 ? 1 : 4;
+  }
+  return new Geom_BSplineCurve(poles, knots, multiplicities, 3);
 }
 
 }  // namespace
@@ -55,6 +77,28 @@ BSplineCurve spline(int spans, bool rational) {
 
 std::pair<BSplineCurve, BSplineCurve> splinePair(int spans, bool rational) {
   return spline(2 * spans, rational).split(spans);
+}
+
+TopoDS_Wire chain(int edges) {
+  const BRep_Builder builder;
+  const auto vertexAt = [&](double x) {
+    TopoDS_Vertex vertex;
+    builder.MakeVertex(vertex, gp_Pnt(x, 0, 0), kTolerance);
+    return vertex;
+  };
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  TopoDS_Vertex start = vertexAt(0.0);
+  for (int i = 0; i < edges; ++i) {
+    const TopoDS_Vertex end = vertexAt(10.0 * (i + 1));
+    TopoDS_Edge edge;
+    builder.MakeEdge(edge, wave(10.0 * i, i % 2 == 0 ? 1.0 : -1.0), kTolerance);
+    builder.Add(edge, start.Oriented(TopAbs_FORWARD));
+    builder.Add(edge, end.Oriented(TopAbs_REVERSED));
+    builder.Add(wire, edge);
+    start = end;
+  }
+  return wire;
 }
 
 Handle(Geom_BezierCurve) geom(const BezierCurve& curve) {

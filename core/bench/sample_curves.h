@@ -5,6 +5,7 @@
 
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include "osculate/bezier/bspline_curve.h"
 
@@ -18,6 +19,9 @@ BSplineCurve spline(int spans, bool rational);
 
 /// Two splines of this many spans each that join with every order.
 std::pair<BSplineCurve, BSplineCurve> splinePair(int spans, bool rational);
+
+/// Cubic edges one after the other that share their vertices, each with an inner knot.
+TopoDS_Wire chain(int edges);
 
 Handle(Geom_BezierCurve) geom(const BezierCurve& curve);
 Handle(Geom_BSplineCurve) geom(const BSplineCurve& curve);
