@@ -6,15 +6,13 @@
 import math
 import os
 import sys
-import time
-import traceback
 
 import FreeCAD
 import FreeCADGui
 import Part
 
 from osculate.features import make_join_check
-from osculate.gui import preferences, resources
+from osculate.gui import resources
 from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.construct.interpolated_form import InterpolatedForm
 from osculate.gui.construct.joined_form import JoinedForm
@@ -22,23 +20,16 @@ from osculate.gui.construct.extend_form import ExtendForm
 from osculate.gui.construct.match_form import MatchForm
 from osculate.gui.panel.panel_form import PanelForm
 from osculate.gui.preferences_page import PreferencesPage
-from osculate.gui.qt import QtCore, QtGui, QtWidgets
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, FOLDER)
+from pictures import (  # noqa: E402  FreeCAD does not look beside a script
+    DARK, INK, LIGHT, V, find_form, grab, look, pump, run, save_view, set_background, widen_tree)
+
 SAMPLE = os.path.join(resources.RESOURCES, "samples", "continuity_g0_to_g4.FCStd")
-LIGHT, DARK = 0xF7F8FAFF, 0x23272EFF
-INK = (0.25, 0.3, 0.36)
-V = FreeCAD.Vector
 
 
 def main():
-    window = FreeCADGui.getMainWindow()
-    window.resize(1400, 900)
-    window.move(0, 0)
-    hide_docks()
-    FreeCADGui.activateWorkbench("OsculateWorkbench")
-    preferences.parameters().Clear()
-    set_background(LIGHT)
     draw_checks()
     draw_panel()
     draw_definitions()
@@ -169,8 +160,7 @@ def draw_overlay():
     set_background(DARK)
     analyze(document, ("G1a", "Edge1"), ("G1b", "Edge1"))
     look(document, "viewIsometric", 1.4)
-    FreeCADGui.getDocument(document.Name).ActiveView.saveImage(
-        os.path.join(FOLDER, "overlay.png"), 900, 520, "Current")
+    save_view(document, "overlay", 900, 520)
     FreeCADGui.Control.closeDialog()
     set_background(LIGHT)
     FreeCAD.closeDocument(document.Name)
@@ -198,8 +188,7 @@ def draw_handles():
     form.panel.handles.hot = ("First", 1)
     form.panel.show()
     look(document, "viewTop", 1.7)
-    FreeCADGui.getDocument(document.Name).ActiveView.saveImage(
-        os.path.join(FOLDER, "handles.png"), 900, 420, "Current")
+    save_view(document, "handles", 900, 420)
     FreeCADGui.Control.closeDialog()
     set_background(LIGHT)
     FreeCAD.closeDocument(document.Name)
@@ -324,72 +313,4 @@ def analyze(document, *targets):
     return find_form(PanelForm)
 
 
-def find_form(kind):
-    """The form of a class that is open."""
-    return next(widget for widget in FreeCADGui.getMainWindow().findChildren(QtWidgets.QWidget)
-                if isinstance(widget, kind))
-
-
-def look(document, view_name, magnified=1.0):
-    """Fits the model into a standard view, and then goes nearer."""
-    view = FreeCADGui.getDocument(document.Name).ActiveView
-    view.setAnimationEnabled(False)
-    view.setCameraType("Orthographic")
-    getattr(view, view_name)()
-    view.fitAll()
-    height = view.getCameraNode().height
-    height.setValue(height.getValue() / magnified)
-    pump()
-
-
-def set_background(color):
-    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
-    group.SetBool("Gradient", False)
-    group.SetBool("Simple", True)
-    group.SetUnsigned("BackgroundColor", color)
-
-
-def widen_tree():
-    """Makes room in the dock for the tree and for what it says of the selected object."""
-    window = FreeCADGui.getMainWindow()
-    docks = [dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
-    window.resizeDocks(docks, [330] * len(docks), QtCore.Qt.Orientation.Horizontal)
-    for dock in docks:
-        for splitter in dock.findChildren(QtWidgets.QSplitter):
-            splitter.setSizes([370, 360])
-    pump()
-
-
-def hide_docks():
-    """Leaves only the tree and the panel; the report view opens by itself where it warns."""
-    for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
-        dock.setVisible(dock.objectName() in ("Combo View", "Tasks"))
-
-
-def grab(name):
-    """The window as the screen shows it."""
-    hide_docks()
-    pump()
-    size = FreeCADGui.getMainWindow().size()
-    screen = QtGui.QGuiApplication.primaryScreen()
-    picture = screen.grabWindow(0, 0, 0, size.width(), size.height())
-    picture.save(os.path.join(FOLDER, f"{name}.png"))
-
-
-def pump(seconds=0.5):
-    """Lets FreeCAD paint."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        QtWidgets.QApplication.processEvents()
-        time.sleep(0.005)
-
-
-STATUS = 1
-try:
-    print("--- begin ---", file=sys.__stdout__)
-    main()
-    STATUS = 0
-except BaseException:
-    traceback.print_exc(file=sys.__stdout__)
-sys.__stdout__.flush()
-os._exit(STATUS)
+run(main)

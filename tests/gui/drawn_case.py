@@ -4,50 +4,36 @@ import os
 
 import FreeCAD
 import FreeCADGui
+import numpy
 import osculate
+from pivy import coin
 
 from gui_case import GuiCase
 from osculate import solids
-from osculate.gui.solid.solid_view import SolidView
-
-
-class PlainSolid:
-    """A stand-in: a net that is set from outside."""
-
-    def __init__(self, obj):
-        obj.addProperty("App::PropertyVectorList", "Points")
-        obj.addProperty("App::PropertyFloatList", "Weights")
-        obj.addProperty("App::PropertyFloatList", "FourthCoordinates")
-        obj.Proxy = self
-
-    def execute(self, _obj):
-        pass
-
-    def dumps(self):
-        return None
-
-    def loads(self, _state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
-
-
-def add_solid(doc, value, name="Solid"):
-    """A document object with the net of a value, and its view."""
-    obj = doc.addObject("App::FeaturePython", name)
-    PlainSolid(obj)
-    SolidView(obj.ViewObject)
-    show(obj, value)
-    doc.recompute()
-    return obj
+from osculate.features.bezier_solid import settings_of
+from osculate.gui.qt import QtGui
 
 
 def show(obj, value):
-    """Gives an object the net of another value."""
-    obj.Points = [FreeCAD.Vector(*point[:3]) for point in value.points]
-    obj.Weights = list(value.weights) if value.is_rational else []
-    obj.FourthCoordinates = [point[3] for point in value.points] if value.dimension == 4 else []
+    """Gives a BezierSolid the net of another value."""
+    for name, setting in settings_of(value).items():
+        setattr(obj, name, setting)
+    obj.Document.recompute()
+
+
+def nodes_of(obj, kind):
+    """The nodes of a Coin class that are drawn of an object."""
+    search = coin.SoSearchAction()
+    search.setType(coin.SoType.fromName(kind))
+    search.setInterest(coin.SoSearchAction.ALL)
+    search.apply(obj.ViewObject.RootNode)
+    paths = search.getPaths()
+    return [paths[i].getTail() for i in range(paths.getLength())]
+
+
+def triangles_of(obj):
+    """The number of triangles in the scene."""
+    return sum(node.coordIndex.getNum() // 4 for node in nodes_of(obj, "IndexedFaceSet"))
 
 
 def folded():
@@ -64,6 +50,14 @@ class DrawnCase(GuiCase):
         getattr(self.view(), view_name)()
         self.view().fitAll()
         self.pump()
+
+    @staticmethod
+    def difference(first, second):
+        """The largest difference of a channel of two QImages, 0 to 255."""
+        form = QtGui.QImage.Format.Format_RGBA8888
+        first, second = (numpy.frombuffer(image.convertToFormat(form).constBits(), numpy.uint8)
+                         for image in (first, second))
+        return int(abs(first.astype(int) - second).max())
 
     def reloaded(self, obj):
         """The object after its document was saved, closed and opened."""

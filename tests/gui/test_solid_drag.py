@@ -9,15 +9,19 @@ import FreeCADGui
 from gui_case import QTest
 from handle_case import MouseUser
 from osculate import solids
+from osculate.features import make_bezier_solid
 from osculate.gui.canvas import widgets_of
 from osculate.gui.overlays.screen import Screen
 from osculate.gui.qt import Qt, QtCore
-from drawn_case import DrawnCase, add_solid
+from osculate.gui.solid_panel.net_form import NetForm
+from drawn_case import DrawnCase
 
 POINT = 9  # a control point of the cone that nothing hides
 
 
 class DragCase(MouseUser, DrawnCase):
+    form_type = NetForm
+
     def setUp(self):
         super().setUp()
         self.obj = self.make()
@@ -25,10 +29,11 @@ class DragCase(MouseUser, DrawnCase):
         self.start_editing()
 
     def make(self):
-        return add_solid(self.doc, solids.random(2, 4))
+        return make_bezier_solid(self.doc, solids.random(2, 4))
 
     def start_editing(self):
         self.obj.ViewObject.doubleClicked()
+        self.wait_for(lambda: self.form() is not None, "the panel")
         self.pump()
         _, self.canvas = widgets_of(self.view())
 
@@ -76,7 +81,7 @@ class DragTest(DragCase):
         for number, other in enumerate(others):
             if number != POINT:
                 self.assertEqual(self.obj.Points[number], other)
-        self.doc.undo()
+        self.click(self.form().back)
         self.assertNotEqual(self.image("solid_undone"), moved)
         self.assertEqual(FreeCADGui.Selection.getSelection(), [])
 
@@ -87,40 +92,45 @@ class DragTest(DragCase):
         before = self.drag(POINT, QtCore.QPoint(-30, 50))
         self.assert_moved(POINT, before, QtCore.QPoint(-30, 50))
 
-    def test_each_drag_is_one_step_of_undo(self):
+    def test_each_drag_is_one_step_and_all_are_one_undo(self):
         undos = self.doc.UndoCount
         first = self.drag(POINT, QtCore.QPoint(40, 0))
         between = self.drag(0, QtCore.QPoint(0, 30))
-        self.assertEqual(self.doc.UndoCount, undos + 2)
         self.assertNotEqual(self.obj.Points[0], between)
-        self.doc.undo()
+        QTest.keyClick(self.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        self.pump()
         self.assertEqual(self.obj.Points[0], between)
         self.assertNotEqual(self.obj.Points[POINT], first)
+        self.click(self.form().back)
+        self.assertEqual(self.obj.Points[POINT], first)
+        self.click(self.form().forward)
+        after = self.obj.Points[POINT]
+        self.assertNotEqual(after, first)
+        FreeCADGui.getDocument(self.doc.Name).resetEdit()
+        self.pump()
+        self.assertEqual(self.doc.UndoCount, undos + 1)
+        self.assertEqual(self.obj.Points[POINT], after)
         self.doc.undo()
         self.assertEqual(self.obj.Points[POINT], first)
-        self.doc.redo()
-        self.assertNotEqual(self.obj.Points[POINT], first)
 
     def test_escape_takes_a_drag_back(self):
-        undos = self.doc.UndoCount
         before = self.drag(POINT, QtCore.QPoint(50, 50), is_let_go=False)
         self.assertNotEqual(self.obj.Points[POINT], before)
         QTest.keyClick(self.canvas, Qt.Key.Key_Escape)
         self.pump()
         self.assertEqual(self.obj.Points[POINT], before)
-        self.assertEqual(self.doc.UndoCount, undos)
-        self.assertIsNotNone(self.handles())
+        self.assertIsNotNone(self.form())
+        self.assertFalse(self.form().back.isEnabled())
         self.let_go_at(QtCore.QPoint(5, 5))
         self.assertEqual(self.obj.Points[POINT], before)
 
     def test_a_click_without_a_move_changes_nothing(self):
-        undos = self.doc.UndoCount
         place = self.place(self.obj.Points[POINT])
         before = self.obj.Points
         self.press_at(place)
         self.let_go_at(place)
         self.assertEqual(self.obj.Points, before)
-        self.assertEqual(self.doc.UndoCount, undos)
+        self.assertFalse(self.form().back.isEnabled())
 
     def test_the_point_at_the_mouse_says_what_it_is(self):
         cool = self.image("solid_cool")
@@ -129,7 +139,7 @@ class DragTest(DragCase):
         self.assertNotEqual(self.image("solid_hot"), cool)
         self.assertEqual(self.canvas.cursor().shape(), Qt.CursorShape.PointingHandCursor)
         text, _ = self.obj.ViewObject.Proxy._caption(POINT)
-        self.assertTrue(text.startswith("0002"), text)
+        self.assertTrue(text.startswith("0 0 0 2"), text)
         self.move_to(QtCore.QPoint(5, 5), Qt.MouseButton.NoButton)
         self.assertEqual(self.image("solid_cool_again"), cool)
 

@@ -1,39 +1,21 @@
 """How Bézier solids are drawn: read from pixels and from the scene."""
 
 import FreeCADGui
-from pivy import coin
 
-import osculate
+from drawn_case import DrawnCase, nodes_of, show, triangles_of
 from gui_case import DARK, LIGHT
 from osculate import solids
+from osculate.features import make_bezier_solid
 from osculate.gui import colors
-from osculate.gui.solid.jacobian_colors import NEGATIVE
 from osculate.gui.solid.look import MODES
-from drawn_case import DrawnCase, add_solid, folded, show
 
 NET = colors.SIDES[1]
-FACE = "#ff2222"
-
-
-def nodes_of(obj, kind):
-    """The nodes of a Coin class that are drawn of an object."""
-    search = coin.SoSearchAction()
-    search.setType(coin.SoType.fromName(kind))
-    search.setInterest(coin.SoSearchAction.ALL)
-    search.apply(obj.ViewObject.RootNode)
-    paths = search.getPaths()
-    return [paths[i].getTail() for i in range(paths.getLength())]
-
-
-def triangles_of(obj):
-    """The number of triangles in the scene."""
-    return sum(node.coordIndex.getNum() // 4 for node in nodes_of(obj, "IndexedFaceSet"))
 
 
 class LookTest(DrawnCase):
     def setUp(self):
         super().setUp()
-        self.obj = add_solid(self.doc, solids.ball_octant(50.0))
+        self.obj = make_bezier_solid(self.doc, solids.ball_octant(50.0))
         self.vobj = self.obj.ViewObject
         self.look()
 
@@ -43,19 +25,18 @@ class LookTest(DrawnCase):
     def test_is_seen_in_every_mode_on_light_and_dark(self):
         self.assertEqual(self.vobj.listDisplayModes(), list(MODES))
         self.vobj.ShowNet = False
-        for name, background in (("light", LIGHT), ("dark", DARK)):
+        covered = []
+        for mode, background, color in zip(MODES, (LIGHT, DARK, DARK, LIGHT),
+                                           ("#ffffff", "#202428", "#202428", "#ffffff")):
             self.set_background(background)
-            color = "#ffffff" if background == LIGHT else "#202428"
-            covered = []
-            for mode in MODES:
-                self.vobj.DisplayMode = mode
-                image = self.image(f"solid_{mode.replace(' ', '_')}_{name}")
-                covered.append(900 * 600 - self.count_pixels(image, color))
-            with_edges, shaded, wires, net = covered
-            self.assertGreater(min(shaded, with_edges), 40000)
-            self.assertGreater(wires, 2000)
-            self.assertGreater(net, 2000)
-            self.assertLess(max(wires, net), 0.5 * shaded)
+            self.vobj.DisplayMode = mode
+            image = self.image(f"solid_{mode.replace(' ', '_')}")
+            covered.append(900 * 600 - self.count_pixels(image, color))
+        with_edges, shaded, wires, net = covered
+        self.assertGreater(min(shaded, with_edges), 40000)
+        self.assertGreater(wires, 2000)
+        self.assertGreater(net, 2000)
+        self.assertLess(max(wires, net), 0.5 * shaded)
 
     def test_faces_are_smooth_and_lit_from_outside(self):
         """The normals of a ball are its radii."""
@@ -179,72 +160,4 @@ class LookTest(DrawnCase):
                          ("Wireframe", 7, "Corner 2", True))
         self.assertEqual(vobj.Deviation.Value, 0.25)
         self.look()
-        self.assertEqual(self.image("solid_loaded"), before)
-
-
-class JacobianTest(DrawnCase):
-    def setUp(self):
-        super().setUp()
-        self.obj = add_solid(self.doc, folded())
-        self.obj.ViewObject.ShowNet = False
-        self.look()
-
-    def orange(self, name):
-        """Pixels that are redder than blue as NEGATIVE is, whatever the light."""
-        image = self.image(name)
-        return sum(image.pixelColor(x, y).red() > image.pixelColor(x, y).blue() + 40
-                   for x in range(0, 900, 4) for y in range(0, 600, 4))
-
-    def test_a_fold_stands_out(self):
-        self.assertEqual(self.orange("fold_plain"), 0)
-        self.obj.ViewObject.ColorByJacobian = True
-        self.assertGreater(self.orange("fold"), 200)
-        self.obj.ViewObject.ShowSlices = True
-        self.assertGreater(self.orange("fold_slices"), 100)
-        show(self.obj, solids.random(3, 1))
-        self.assertEqual(self.orange("fold_mended"), 0)
-
-    def test_colours_are_those_of_the_jacobian(self):
-        self.obj.ViewObject.ColorByJacobian = True
-        material = max(nodes_of(self.obj, "Material"), key=lambda node: node.diffuseColor.getNum())
-        first = material.diffuseColor[0].getValue()
-        jacobian = osculate.BezierTetrahedron(3, folded().points, folded().weights).jacobian(
-            [[0, 1, 0, 0]])[0]
-        self.assertEqual(jacobian < 0.0, first[0] > first[2])
-        self.assertEqual(len(NEGATIVE), 2)
-
-
-class OddNetsTest(DrawnCase):
-    def test_nets_that_are_no_whole_solids_are_drawn_as_far_as_they_go(self):
-        value = solids.random(3, 1)
-        points, weights = value.points, value.weights
-        corner = weights.copy()
-        corner[0] = 0.0
-        face = [0.0 if index[3] == 0 else 1.0 for index in value.indices]
-        obj = add_solid(self.doc, value)
-        vobj = obj.ViewObject
-        vobj.ColorByJacobian = vobj.ShowSlices = vobj.ShowIndices = True
-        for name, net in (("flat", (points * [1, 1, 0], weights)),
-                          ("point", (0.0 * points, weights)), ("corner", (points, corner)),
-                          ("face", (points, face)), ("far", (points + 1e7, weights))):
-            show(obj, osculate.BezierTetrahedron(3, *net))
-            for mode in MODES:
-                vobj.DisplayMode = mode
-            self.look()
-            self.image(f"odd_{name}")
-            self.assertEqual(self.report_view().toPlainText(), "", name)
-
-    def test_four_dimensions_are_projected_along_the_last(self):
-        value = solids.random(3, 1)
-        obj = add_solid(self.doc, value)
-        self.look()
-        flat = self.image("solid_e3")
-        show(obj, value.embedded())
-        self.assertEqual(len(obj.FourthCoordinates), 20)
-        self.assertEqual(self.image("solid_e4"), flat)
-
-    def test_half_set_properties_keep_what_was_drawn(self):
-        obj = add_solid(self.doc, solids.random(3, 1))
-        count = triangles_of(obj)
-        obj.Points = obj.Points[:7]
-        self.assertEqual(triangles_of(obj), count)
+        self.assertLess(self.difference(self.image("solid_loaded"), before), 4)  # colours of 8 bits

@@ -5,10 +5,10 @@ Each function gives a node that is centred on, or hangs from, the point at which
 
 from pivy import coin
 
-from osculate.gui.overlays import nodes
+from osculate.gui.overlays.pictures import (
+    TEXT_COLOR, canvas, draw_text, image_node, label_fonts, painter_on)
 from osculate.gui.qt import Qt, QtCore, QtGui
 
-_TEXT_COLOR = "#16202b"
 _RING_RADIUS = 7.0
 
 #: The size of a knob, and how far above its point a caption is.
@@ -21,41 +21,15 @@ _NOTE_AWAY = 5.0
 _REACH_RIGHT, _REACH_UP, _MARGIN, _LEAD = 30.0, 58.0, 2.0, 5.0
 
 
-def _canvas(width, height):
-    """A clear picture of width x height points, at the density of the screen."""
-    density = QtGui.QGuiApplication.primaryScreen().devicePixelRatio()
-    picture = QtGui.QImage(round(width * density), round(height * density),
-                           QtGui.QImage.Format.Format_RGBA8888)
-    picture.setDevicePixelRatio(density)
-    picture.fill(0)
-    return picture
-
-
-def _painter(picture):
-    painter = QtGui.QPainter(picture)
-    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
-    return painter
-
-
-def _image_node(picture, horizontal, vertical):
-    node = coin.SoImage()
-    size = coin.SbVec2s(picture.width(), picture.height())
-    upright = picture.mirrored(False, True)  # Coin counts rows from below
-    node.image.setValue(size, 4, bytes(upright.constBits()))
-    node.horAlignment = horizontal
-    node.vertAlignment = vertical
-    return nodes.without_extent(node)
-
-
 def _centred(picture):
-    return _image_node(picture, coin.SoImage.CENTER, coin.SoImage.HALF)
+    return image_node(picture, coin.SoImage.CENTER, coin.SoImage.HALF)
 
 
 def ring(color):
     """A ring that marks a point."""
     size = 2.0 * _RING_RADIUS + 8.0
-    picture = _canvas(size, size)
-    painter = _painter(picture)
+    picture = canvas(size, size)
+    painter = painter_on(picture)
     centre = QtCore.QPointF(size / 2.0, size / 2.0)
     for pen, width in (("#ffffff", 6.0), (color, 3.0)):
         painter.setPen(QtGui.QPen(QtGui.QColor(pen), width))
@@ -66,8 +40,8 @@ def ring(color):
 
 def dot(color):
     """A small filled dot."""
-    picture = _canvas(11, 11)
-    painter = _painter(picture)
+    picture = canvas(11, 11)
+    painter = painter_on(picture)
     painter.setPen(QtGui.QPen(QtGui.QColor("#ffffff"), 1.4))
     painter.setBrush(QtGui.QColor(color))
     painter.drawEllipse(QtCore.QPointF(5.5, 5.5), 3.6, 3.6)
@@ -83,8 +57,8 @@ def letter(text, color, points):
     path = QtGui.QPainterPath()
     path.addText(QtCore.QPointF(0, 0), font, text)
     box = path.boundingRect().adjusted(-4, -4, 4, 4)
-    picture = _canvas(box.width(), box.height())
-    painter = _painter(picture)
+    picture = canvas(box.width(), box.height())
+    painter = painter_on(picture)
     painter.translate(-box.topLeft())
     painter.strokePath(path, QtGui.QPen(QtGui.QColor("#ffffff"), 4.0, Qt.PenStyle.SolidLine,
                                         Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin))
@@ -96,8 +70,8 @@ def letter(text, color, points):
 def tag(text, color):
     """A round tag with a character."""
     size = 22.0
-    picture = _canvas(size, size)
-    painter = _painter(picture)
+    picture = canvas(size, size)
+    painter = painter_on(picture)
     box = QtCore.QRectF(2, 2, size - 4, size - 4)
     painter.setPen(QtGui.QPen(QtGui.QColor("#ffffff"), 2.0))
     painter.setBrush(QtGui.QColor(color))
@@ -116,8 +90,8 @@ def knob(text, color, is_filled, is_hot, is_round):
     larger while it is hot.
     """
     size = _KNOB + (6.0 if is_hot else 0.0)
-    picture = _canvas(size + 6.0, size + 6.0)
-    painter = _painter(picture)
+    picture = canvas(size + 6.0, size + 6.0)
+    painter = painter_on(picture)
     box = QtCore.QRectF(3.0, 3.0, size, size)
     radius = size / 2.0 if is_round else size / 5.0
     for pen, width, brush in (("#ffffff", 5.0, "#ffffff"),
@@ -128,41 +102,41 @@ def knob(text, color, is_filled, is_hot, is_round):
     font = painter.font()
     font.setPixelSize(13)
     font.setBold(True)
-    _draw_text(painter, box, text, font, "#ffffff" if is_filled else color)
+    draw_text(painter, box, text, font, "#ffffff" if is_filled else color)
     painter.end()
     return _centred(picture)
 
 
 def caption(text, color, points):
     """A line of text in a white field with a rim, above its point."""
-    font, _ = _label_fonts(points)
+    font, _ = label_fonts(points)
     metrics = QtGui.QFontMetricsF(font)
     width, height = metrics.horizontalAdvance(text) + 14.0, metrics.height() + 6.0
-    picture = _canvas(width + 4.0, height + _CAPTION_UP)
-    painter = _painter(picture)
+    picture = canvas(width + 4.0, height + _CAPTION_UP)
+    painter = painter_on(picture)
     box = QtCore.QRectF(2.0, 2.0, width, height)
     painter.setPen(QtGui.QPen(QtGui.QColor(color), 1.6))
     painter.setBrush(QtGui.QColor("#ffffff"))
     painter.drawRoundedRect(box, 5.0, 5.0)
-    _draw_text(painter, box, text, font, _TEXT_COLOR)
+    draw_text(painter, box, text, font, TEXT_COLOR)
     painter.end()
-    return _image_node(picture, coin.SoImage.CENTER, coin.SoImage.BOTTOM)
+    return image_node(picture, coin.SoImage.CENTER, coin.SoImage.BOTTOM)
 
 
-def note(text, points):
+def note(text, points, color=TEXT_COLOR):
     """A few characters in a pale field, up to the right of their point."""
-    font, _ = _label_fonts(points)
+    font, _ = label_fonts(points)
     metrics = QtGui.QFontMetricsF(font)
     width, height = metrics.horizontalAdvance(text) + 8.0, metrics.height()
-    picture = _canvas(width + _NOTE_AWAY, height + _NOTE_AWAY)
-    painter = _painter(picture)
+    picture = canvas(width + _NOTE_AWAY, height + _NOTE_AWAY)
+    painter = painter_on(picture)
     box = QtCore.QRectF(_NOTE_AWAY, 0.0, width, height)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QtGui.QColor(255, 255, 255, 205))
     painter.drawRoundedRect(box, 3.0, 3.0)
-    _draw_text(painter, box, text, font, _TEXT_COLOR)
+    draw_text(painter, box, text, font, color)
     painter.end()
-    return _image_node(picture, coin.SoImage.LEFT, coin.SoImage.BOTTOM)
+    return image_node(picture, coin.SoImage.LEFT, coin.SoImage.BOTTOM)
 
 
 def callout(name, text, color, points, corner):
@@ -171,42 +145,28 @@ def callout(name, text, color, points, corner):
     `name` stands in a field of the colour, `text` (may be empty) beside it on white. `corner` is
     (1, 1) for a label up to the right of its point, (-1, -1) for down to the left, and so on.
     """
-    font, bold = _label_fonts(points)
+    font, bold = label_fonts(points)
     height = QtGui.QFontMetricsF(bold).height() + 8.0
     name_width = QtGui.QFontMetricsF(bold).horizontalAdvance(name) + 16.0
     text_width = QtGui.QFontMetricsF(font).horizontalAdvance(text) + 18.0 if text else 0.0
     width = _REACH_RIGHT + name_width + text_width + _MARGIN
-    picture = _canvas(width, _REACH_UP + height + _MARGIN)
+    picture = canvas(width, _REACH_UP + height + _MARGIN)
     right, up = corner[0] > 0, corner[1] > 0
     box = QtCore.QRectF(_REACH_RIGHT if right else _MARGIN, _MARGIN if up else _REACH_UP,
                         name_width + text_width, height)
     name_box = QtCore.QRectF(box.left(), box.top(), name_width, height)
     text_box = QtCore.QRectF(name_box.right(), box.top(), text_width, height)
-    painter = _painter(picture)
+    painter = painter_on(picture)
     _draw_leader(painter, QtCore.QPointF(_LEAD if right else width - _LEAD,
                                          _REACH_UP + height + _MARGIN - _LEAD if up else _LEAD),
                  QtCore.QPointF(box.left() + 8.0 if right else box.right() - 8.0,
                                 box.bottom() if up else box.top()), color)
     _draw_fields(painter, box, name_box, color)
-    _draw_text(painter, name_box, name, bold, "#ffffff")
-    _draw_text(painter, text_box, text, font, _TEXT_COLOR)
+    draw_text(painter, name_box, name, bold, "#ffffff")
+    draw_text(painter, text_box, text, font, TEXT_COLOR)
     painter.end()
-    return _image_node(picture, coin.SoImage.LEFT if right else coin.SoImage.RIGHT,
-                       coin.SoImage.BOTTOM if up else coin.SoImage.TOP)
-
-
-def _label_fonts(points):
-    font = QtGui.QFont()
-    font.setPointSize(points)
-    bold = QtGui.QFont(font)
-    bold.setBold(True)
-    return font, bold
-
-
-def _draw_text(painter, box, text, font, color):
-    painter.setFont(font)
-    painter.setPen(QtGui.QColor(color))
-    painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+    return image_node(picture, coin.SoImage.LEFT if right else coin.SoImage.RIGHT,
+                      coin.SoImage.BOTTOM if up else coin.SoImage.TOP)
 
 
 def _draw_leader(painter, start, end, color):

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy
 
-from osculate.gui.solid.value import indices_of, size_of
+from osculate.features.control_net import indices_of
+from osculate.gui.solid.value import size_of
 
 #: The chordal bound that is chosen, and the least that is drawn, as shares of the solid's size.
 _CHOSEN, _LEAST = 1e-3, 2e-5
@@ -109,6 +110,16 @@ def extent(solid, axis):
     places = [surface.points[numpy.unique(surface.triangles), axis] for surface in surfaces]
     places = numpy.concatenate(places) if places else numpy.empty(0)
     return (float(places.min()), float(places.max())) if len(places) else (0.0, 0.0)
+
+
+def rim_of(triangles):
+    """The sides that only one triangle has, as pairs of points."""
+    sides = {}
+    for triangle in triangles.tolist():
+        for start, end in zip(triangle, triangle[1:] + triangle[:1]):
+            key = min(start, end), max(start, end)
+            sides[key] = sides.get(key, 0) + 1
+    return [side for side, count in sides.items() if count == 1]
 
 
 @functools.lru_cache(maxsize=16)

@@ -5,12 +5,12 @@ import functools
 import numpy
 from pivy import coin
 
+from osculate.features.control_net import indices_of, name_of
 from osculate.gui import numbers
 from osculate.gui.overlays import nodes, sprites
 from osculate.gui.overlays.markers import disk
 from osculate.gui.qt import QtGui
 from osculate.gui.solid.surface_node import LinesNode, fill, through_everything
-from osculate.gui.solid.value import indices_of
 
 _LEG_WIDTH = 1.5
 _FAINT = 0.75  # transparency of what lies behind the faces
@@ -88,11 +88,6 @@ def legs_of(degree):
     return tuple(legs)
 
 
-def index_text(index):
-    """ "2110", with commas where a number has two digits."""
-    return ("," if max(index) > 9 else "").join(map(str, index))
-
-
 def weight_of(solid, place):
     """The weight of a control point, 1 in a polynomial solid."""
     weights = solid.weights
@@ -105,10 +100,10 @@ def _texts(solid, with_indices, with_weights):
     """
     if not (with_indices or with_weights):
         return {}
-    indices, texts = indices_of(solid.degree), {}
+    texts = {}
     for numbers_here in _together(solid.points):
         last = numbers_here[-1]
-        parts = [index_text(indices[last])] if with_indices else []
+        parts = [name_of(solid.degree, last)] if with_indices else []
         if with_weights:
             weight = numbers.number(weight_of(solid, last), _DIGITS)
             parts.append(f"w = {weight}" if with_indices else weight)

@@ -4,7 +4,6 @@ from pivy import coin
 
 from osculate.gui.overlays import nodes
 from osculate.gui.solid import meshes
-from osculate.gui.solid.jacobian_colors import colors_of
 from osculate.gui.solid.surface_node import LinesNode, SurfaceNode
 from osculate.gui.solid.view_properties import AXES, CORNERS
 
@@ -35,8 +34,8 @@ class SlicesNode:
         if largest is None:
             surface.paint(color, _TRANSPARENCY)
         else:
-            surface.paint_points(colors_of(piece.values, largest), _TRANSPARENCY)
-        rim.show_legs(piece.points, _rim(piece.triangles))
+            surface.paint_jacobians(largest, _TRANSPARENCY)
+        rim.show_legs(piece.points, meshes.rim_of(piece.triangles))
         rim.paint([_DARKER * channel for channel in color[:3]], _RIM_WIDTH)
         self.node.addChild(nodes.separator(rim.node, surface.node))
 
@@ -49,13 +48,3 @@ def slice_of(solid, direction, share, with_jacobian=False):
     axis = AXES.index(direction)
     low, high = meshes.extent(solid, axis)
     return meshes.plane_slice(solid, axis, low + share * (high - low), _DIVISIONS, with_jacobian)
-
-
-def _rim(triangles):
-    """The sides that only one triangle has, as pairs of points."""
-    sides = {}
-    for triangle in triangles.tolist():
-        for start, end in zip(triangle, triangle[1:] + triangle[:1]):
-            key = min(start, end), max(start, end)
-            sides[key] = sides.get(key, 0) + 1
-    return [side for side, count in sides.items() if count == 1]

@@ -4,12 +4,14 @@ import numpy
 from pivy import coin
 
 from osculate.gui.solid import meshes
-from osculate.gui.solid.jacobian_colors import colors_of
+from osculate.gui.solid.legend import Legend
+from osculate.gui.solid.legend_picture import Scale
 from osculate.gui.solid.look import WIREFRAME
 from osculate.gui.solid.net_node import NetNode
 from osculate.gui.solid.slices_node import SlicesNode
 from osculate.gui.solid.surface_node import LinesNode, SurfaceNode, behind_lines
 
+_ORDER = ("edges", "lines", "slices", "faces", "net", "legend")  # in the scene
 _PARAMETER_LINE = 0.5  # of the width of an edge
 _ROUGHER = 4.0         # bound of the mesh while a point is dragged
 _INSIDE = 10           # divisions of the lattice on which Jacobians inside are sampled
@@ -18,27 +20,24 @@ _INSIDE = 10           # divisions of the lattice on which Jacobians inside are 
 class SolidNode:
     """Draws a solid in E3 as a Look says; `node` goes into the scene and stays there."""
 
-    def __init__(self):
+    def __init__(self, document_name, object_name):
         self.node = coin.SoSeparator()
+        self._names = document_name, object_name
         self._parts = {}
-        self.jacobians = None  #: (least, largest) that were seen, where they are the colours
-
-    def clear(self):
-        """Draws nothing."""
-        self.node.removeAllChildren()
-        self._parts, self.jacobians = {}, None
 
     def show(self, solid, look, is_dragged=False):
         """Draws a solid; roughly while a point is dragged."""
         needs_mesh = look.has_faces or look.has_edges
         bound = meshes.bound_for(solid, look.deviation) * (_ROUGHER if is_dragged else 1.0)
         faces = meshes.faces_of(solid, bound, look.by_jacobian) if needs_mesh else None
-        self.jacobians = _range(solid, faces) if look.by_jacobian else None
-        largest = max(map(abs, self.jacobians)) if look.by_jacobian else None
+        scale = Scale(look.title, *_range(solid, faces)) if look.by_jacobian else None
+        largest = scale.size if scale else None
         self._show_edges(solid, look, faces)
         self._show_slices(solid, look, largest)
         self._show_faces(look, faces, largest)
         self._show_net(solid, look)
+        if self._needs("legend", look.legend, lambda: Legend(*self._names)):
+            self._parts["legend"].show(scale, look.text_points)
 
     def _show_edges(self, solid, look, faces):
         if self._needs("edges", look.has_edges, LinesNode):
@@ -59,9 +58,8 @@ class SolidNode:
             return
         surface = self._parts["faces"]
         surface.show(faces.surfaces)
-        if look.by_jacobian and faces.surfaces:
-            values = numpy.concatenate([face.values for face in faces.surfaces])
-            surface.paint_points(colors_of(values, largest), look.transparency)
+        if look.by_jacobian:
+            surface.paint_jacobians(largest, look.transparency)
         else:
             surface.paint(look.color, look.transparency)
 
@@ -76,9 +74,13 @@ class SolidNode:
         """Whether a part is wanted; puts it into the scene or takes it out."""
         if is_wanted and name not in self._parts:
             self._parts[name] = make()
-            self.node.addChild(self._parts[name].node)
+            before = sum(other in self._parts for other in _ORDER[:_ORDER.index(name)])
+            self.node.insertChild(self._parts[name].node, before)
         elif not is_wanted and name in self._parts:
-            self.node.removeChild(self._parts.pop(name).node)
+            part = self._parts.pop(name)
+            self.node.removeChild(part.node)
+            if isinstance(part, Legend):
+                part.remove()
         return is_wanted
 
 

@@ -1,17 +1,16 @@
 """How a BezierSolid is seen: faces, edges, control net, slices; its points dragged in edit mode."""
 
-import FreeCADGui
-
+from osculate.features.control_net import name_of
 from osculate.gui import numbers, preferences, resources
 from osculate.gui.editable_view import EditableView
 from osculate.gui.qt import QtGui
 from osculate.gui.solid import view_properties
 from osculate.gui.solid.look import MODES, SHADED_WITH_EDGES, look_of
-from osculate.gui.solid.net_node import index_text, weight_of
+from osculate.gui.solid.net_node import weight_of
 from osculate.gui.solid.point_edit import PointEdit
 from osculate.gui.solid.point_handles import PointHandles
 from osculate.gui.solid.solid_node import SolidNode
-from osculate.gui.solid.value import in_space, indices_of, value_of
+from osculate.gui.solid.value import in_space, value_of
 
 _MODE = "Solid"  # the only one of Coin's switch; what a mode shows is decided in SolidNode
 _INPUTS = ("Points", "Weights", "FourthCoordinates")
@@ -26,7 +25,7 @@ class SolidView(EditableView):
 
     def attach(self, vobj):
         super().attach(vobj)
-        self._node = SolidNode()
+        self._node = SolidNode(vobj.Object.Document.Name, vobj.Object.Name)
         vobj.addDisplayMode(self._node.node, _MODE)
         view_properties.complete(vobj)
         self._draw()
@@ -48,44 +47,42 @@ class SolidView(EditableView):
         return resources.icon_path("bezier-solid")
 
     def updateData(self, _obj, prop):
-        if prop in _INPUTS:
+        if prop in _INPUTS or (prop == "Label" and self._object.ViewObject.ColorByJacobian):
             self._draw()
 
     def onChanged(self, vobj, prop):
-        if prop in view_properties.NAMES and view_properties.are_complete(vobj):
+        if prop in (*view_properties.NAMES, "Visibility") and view_properties.are_complete(vobj):
             self._draw()
-
-    def onDelete(self, _vobj, _subelements):
-        self._end_handles()
-        return True
 
     # Editing
 
-    def setEdit(self, _vobj, mode):
-        if mode != 0 or FreeCADGui.Control.activeDialog():
-            return False
-        self._begin_handles()
-        self._draw()
-        return True
+    def make_panel(self, obj):
+        from osculate.gui.solid_panel.net_panel import NetPanel
+        return NetPanel(obj.Document, obj)
 
-    def unsetEdit(self, _vobj, mode):
+    def editing_changed(self):
+        if self._panel is not None:
+            self.start_dragging(self._panel.session)
+        else:
+            self.stop_dragging()
+
+    def start_dragging(self, session):
+        """From now on the control points can be dragged, each drag a step of a Session."""
+        self._edit = PointEdit(session)  # Qt alone does not keep it
+        self._handles = PointHandles(self._object.Document.Name)
+        self._node.node.addChild(self._handles.node)
+        self._handles.moved.connect(self._edit.move)
+        for signal, end in ((self._handles.let_loose, self._edit.finish),
+                            (self._handles.taken_back, self._edit.cancel)):
+            signal.connect(end)
+            signal.connect(self._draw)  # finely again
+        self._handles.hovered.connect(self._show_handles)
+        self._draw()
+
+    def stop_dragging(self):
+        """Leaves no handle."""
         self._end_handles()
         self._draw()
-        return mode == 0
-
-    def _begin_handles(self):
-        obj = self._object
-        if "ReadOnly" in obj.getEditorMode("Points"):
-            return  # what another object makes
-        self._edit = edit = PointEdit(obj)  # Qt alone does not keep it
-        self._handles = PointHandles(obj.Document.Name)
-        self._node.node.addChild(self._handles.node)
-        self._handles.moved.connect(edit.move)
-        self._handles.let_loose.connect(edit.finish)
-        self._handles.taken_back.connect(edit.cancel)
-        for signal in (self._handles.let_loose, self._handles.taken_back):
-            signal.connect(self._draw)
-        self._handles.hovered.connect(self._show_handles)
 
     def _end_handles(self):
         if self._handles is not None:
@@ -117,7 +114,7 @@ class SolidView(EditableView):
     def _caption(self, place):
         """(text, size) of what is said of the control point at the mouse."""
         point = ", ".join(numbers.number(float(x)) for x in self._solid.points[place])
-        text = f"{index_text(indices_of(self._solid.degree)[place])}   ({point}) mm"
+        text = f"{name_of(self._solid.degree, place)}   ({point}) mm"
         if self._solid.is_rational:
             text += f"   w = {numbers.number(weight_of(self._solid, place))}"
         return text, preferences.load().label_points

@@ -4,8 +4,11 @@ import numpy
 from pivy import coin
 
 from osculate.gui.overlays import nodes
+from osculate.gui.solid.jacobian_colors import places_of, texture
 
-_SHININESS, _SPECULAR, _AMBIENT = 0.3, (0.2, 0.2, 0.2), (1.0, 1.0, 1.0)
+_SHININESS, _SPECULAR = 0.3, (0.2, 0.2, 0.2)
+_WHITE = (1.0, 1.0, 1.0)
+_LINEAR = 0.3  # Coin's quality of textures that are interpolated, without smaller copies
 
 
 class SurfaceNode:
@@ -15,17 +18,19 @@ class SurfaceNode:
         hints = coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # lights both sides
         hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
-        self._material, self._binding = coin.SoMaterial(), coin.SoMaterialBinding()
+        self._material = coin.SoMaterial()
         self._material.shininess = _SHININESS
         self._material.specularColor = _SPECULAR
-        self._material.ambientColor = _AMBIENT
         self._coordinates, self._normals = coin.SoCoordinate3(), coin.SoNormal()
         normal_binding = coin.SoNormalBinding()
         normal_binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+        self._texture, self._places = coin.SoSwitch(), coin.SoTextureCoordinate2()
+        for node in (_unmixed(), texture(), self._places):
+            self._texture.addChild(node)
         self._faces = coin.SoIndexedFaceSet()
-        self.node = nodes.separator(*before, hints, self._material, self._binding,
-                                    self._coordinates, self._normals, normal_binding, self._faces)
-        self._count = 0
+        self.node = nodes.separator(*before, hints, self._material, self._coordinates,
+                                    self._normals, normal_binding, self._texture, self._faces)
+        self._values = None
 
     def show(self, surfaces):
         """Shows Triangles, as one surface."""
@@ -36,24 +41,27 @@ class SurfaceNode:
             ends = numpy.full((len(surface.triangles), 1), -1)
             indices.append(numpy.hstack([surface.triangles + first, ends]))
             first += len(surface.points)
-        self._count = first
+        has_values = first > 0 and all(surface.values is not None for surface in surfaces)
+        self._values = (numpy.concatenate([surface.values for surface in surfaces])
+                        if has_values else None)
         fill(self._coordinates.point, rows(points))
         fill(self._normals.vector, rows(normals))
         fill(self._faces.coordIndex, numpy.concatenate(indices).ravel().tolist() if first else [])
 
     def paint(self, color, transparency):
         """One colour (r, g, b) for all."""
-        self._binding.value = coin.SoMaterialBinding.OVERALL
-        self._material.diffuseColor = tuple(color[:3])
+        self._texture.whichChild = coin.SO_SWITCH_NONE
+        self._material.diffuseColor = self._material.ambientColor = tuple(color[:3])
         self._material.transparency = transparency
 
-    def paint_points(self, colors, transparency):
-        """A colour for each point of the surfaces that are shown, an (N, 3) array."""
-        if len(colors) != self._count or not self._count:
+    def paint_jacobians(self, largest, transparency):
+        """The colours of the values of the surfaces that are shown; `largest`: their magnitude."""
+        if self._values is None:
             return
-        fill(self._material.diffuseColor, rows([colors]))
+        fill(self._places.point, places_of(self._values, largest).tolist())
+        self._material.diffuseColor = self._material.ambientColor = _WHITE
         self._material.transparency = transparency
-        self._binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+        self._texture.whichChild = coin.SO_SWITCH_ALL
 
 
 class LinesNode:
@@ -86,6 +94,12 @@ class LinesNode:
         self._material.diffuseColor = tuple(color[:3])
         self._material.transparency = transparency
         self._style.lineWidth = width
+
+
+def _unmixed():
+    quality = coin.SoComplexity()
+    quality.textureQuality = _LINEAR
+    return quality
 
 
 def behind_lines():
