@@ -72,8 +72,10 @@ class BezierSolid(Feature):
     def show(self, obj, value):
         if value.dimension == 3 and value.degree <= CHECKED_DEGREE:
             self.validity = value.validity()
-        _measure(obj, value)
-        obj.Warnings = warnings_of(value)
+        volume = value.volume() if value.dimension == 3 else math.nan
+        centroid = value.centroid() if value.dimension == 3 else (math.nan,) * 3
+        obj.Volume, obj.Centroid = abs(volume), FreeCAD.Vector(*centroid)
+        obj.Warnings = warnings_of(value, volume)
         obj.Validity = "" if self.validity is None else str(self.validity)
 
     def set_editors(self, obj):
@@ -154,20 +156,12 @@ def check_validity(obj):
     return proxy.validity
 
 
-def warnings_of(value):
-    """What is legal but not as it should be, in sentences."""
+def warnings_of(value, volume):
+    """What of a value with this volume is legal but not as it should be, in sentences."""
     warnings = list(value.warnings)
-    if value.dimension == 3 and value.volume() < 0.0:
+    if volume < 0.0:
         warnings.append("the solid is a mirror image: its Jacobian is mostly negative")
     return warnings
-
-
-def _measure(obj, value):
-    volume, centroid = math.nan, (math.nan,) * 3
-    if value.dimension == 3:
-        volume, centroid = abs(value.volume()), value.centroid()
-    obj.Volume = volume
-    obj.Centroid = FreeCAD.Vector(*centroid)
 
 
 def _value_of_rows(rows, weights):

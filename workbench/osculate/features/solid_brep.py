@@ -5,7 +5,7 @@ import FreeCAD
 from osculate.features.bezier_solid import is_solid, value_in_document
 from osculate.features.constructed import place
 from osculate.features.edge_link import LinkError
-from osculate.features.feature import Feature, make
+from osculate.features.feature import STATUS, Feature, make
 from osculate.features.properties import HIDDEN
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -17,17 +17,32 @@ _SOURCE = ("Solid", (
 ))
 
 
+_MADE = ("Result", (
+    STATUS[0],
+    ("Warnings", "App::PropertyStringList", QT_TRANSLATE_NOOP(
+        "App::Property", "What is not as it should be, in sentences")),
+    STATUS[1],
+))
+
+
 class SolidBRep(Feature):
     """Proxy of a Part::FeaturePython; documents name this class."""
 
     type_id = "Part::FeaturePython"
     groups = (_SOURCE,)
+    result_groups = (_MADE,)
 
     def construct(self, obj):
         return value_in_document(source_of(obj, "Source")).to_solid()
 
     def put(self, obj, shape):
         place(obj, shape)
+
+    def show(self, obj, _shape):
+        report = obj.Source.Proxy.validity  # None where it was not checked
+        folds = report is not None and report.verdict == "inverted" and not report.is_mirrored
+        obj.Warnings = [translate("Osculate", "{} folds over itself: faces may pass through each "
+                                              "other.").format(obj.Source.Label)] if folds else []
 
     def set_editors(self, obj):
         super().set_editors(obj)

@@ -86,6 +86,11 @@ class SolidContact(Feature):
         super().onDocumentRestored(obj)
 
 
+def make_object(doc, *, name="SolidContact", **properties):
+    """Adds a SolidContact with some of its properties set, and recomputes it."""
+    return make(doc, SolidContact, name, **properties)
+
+
 def make_solid_contact(doc, first, second, *, tolerance_mm=DEFAULT_TOLERANCE_MM,
                        name="SolidContact"):
     """Adds a SolidContact of two BezierSolids to a document and recomputes it.
@@ -99,4 +104,4 @@ def make_solid_contact(doc, first, second, *, tolerance_mm=DEFAULT_TOLERANCE_MM,
         raise ValueError("second: must be another solid than first")
     if not 0.0 < tolerance_mm < float("inf"):
         raise ValueError(f"tolerance_mm: must be finite and > 0, not {tolerance_mm}")
-    return make(doc, SolidContact, name, First=first, Second=second, Tolerance=tolerance_mm)
+    return make_object(doc, name=name, First=first, Second=second, Tolerance=tolerance_mm)

@@ -14,15 +14,16 @@ from osculate.gui.qt import QtCore
 _QUICK = 0.1  # seconds that nobody notices
 
 
-class _Later:
+class Later:
     """Calls a function once, when the event loop is reached; a slow one only after a pause as long
-    as it last took, so that it does not hold up the user's work.
+    as it last took, so that it does not hold up the user's work. With a `parent`, a Qt object, it
+    ends as that does.
     """
 
-    def __init__(self, function):
+    def __init__(self, function, parent=None):
         self._function = function
         self._pause = 0.0
-        self._timer = QtCore.QTimer()
+        self._timer = QtCore.QTimer(parent)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._call)
 
@@ -45,7 +46,7 @@ class ModelObserver:
     """
 
     def __init__(self, changed, closed, ignores=lambda: False):
-        self._later = _Later(changed)
+        self._later = Later(changed)
         self._closed = closed
         self._ignores = ignores
         self.slotChangedObject = self._tell
@@ -74,7 +75,7 @@ class SelectionObserver:
     """
 
     def __init__(self, changed):
-        self._later = _Later(changed)
+        self._later = Later(changed)
         self.addSelection = self._later.start
         self.setSelection = self._later.start
         self.clearSelection = self._later.start

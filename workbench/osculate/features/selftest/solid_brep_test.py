@@ -57,6 +57,15 @@ class SolidBRepTest(SolidCase):
             self.assertFalse(obj.isValid())
             self.assertTrue(obj.Shape.isNull())
 
+    def test_folding_is_said(self):
+        solid = self.solid(solids.tetrahedron((0, 0, 0), (10, 0, 0), (0, 10, 0),
+                                              (0, 0, 10)).elevated())
+        obj = make_solid_brep(self.doc, solid)
+        self.assertEqual((obj.Status, obj.Warnings), ("OK", []))
+        self.set_row(solid, "Points", 1, V(-2, 0, 0))
+        self.assertEqual(obj.Status, "OK")
+        self.assertIn("folds over itself", obj.Warnings[0])
+
     def test_keeps_the_last_good_shape(self):
         solid = self.solid(solids.cone(10, 20))
         obj = make_solid_brep(self.doc, solid)

@@ -6,7 +6,7 @@ import FreeCAD
 import FreeCADGui
 
 from osculate.gui import resources
-from osculate.gui.solid_panel.selected import selected_solids
+from osculate.gui.solid_panel.selected import selected_solids, take_selected_solids
 from osculate.gui.task_dock import widen_dock
 
 
@@ -37,6 +37,19 @@ class SolidCommand(Command):
 
     def IsActive(self):
         return super().IsActive() and self.least <= len(selected_solids()) <= self.most
+
+
+class DerivedCommand(SolidCommand):
+    """Base of a command that opens the panel of what is made of one selected solid."""
+
+    most = 1
+    panel = None  #: the class of the DerivedPanel
+
+    def IsActive(self):
+        return super().IsActive() and selected_solids()[0].isValid()
+
+    def Activated(self):
+        show_panel(self.panel(take_selected_solids()[0]))
 
 
 class ConstructCommand(Command):

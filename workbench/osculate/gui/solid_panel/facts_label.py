@@ -1,5 +1,7 @@
 """What came out: degree, volume, centroid, whether the solid folds over itself."""
 
+import math
+
 from osculate.features.bezier_solid import CHECKED_DEGREE, warnings_of
 from osculate.gui import colors, numbers
 from osculate.gui.panel.report_label import ReportLabel
@@ -17,8 +19,10 @@ class FactsLabel(ReportLabel):
         return self.table(("", ""), rows, (30, 70)) if rows else ""
 
     def table(self, heads, rows, widths):
-        text = super().table(heads, rows, widths)
-        return text.replace(self._line("th", [self.faint(head) for head in heads], widths, ""), "")
+        """A table without heads, whose texts may be broken."""
+        text = super().table(heads, rows, widths).replace("white-space:nowrap", "")
+        return text.replace(self._line("th", [self.faint(head) for head in heads], widths, "")
+                            .replace("white-space:nowrap", ""), "")
 
     def _facts(self, values):
         if not values:
@@ -54,4 +58,9 @@ class FactsLabel(ReportLabel):
 
 def all_warnings(values):
     """The warnings of some values, each once."""
-    return list(dict.fromkeys(warning for value in values for warning in warnings_of(value)))
+    return list(dict.fromkeys(warning for value in values
+                              for warning in warnings_of(value, _volume(value))))
+
+
+def _volume(value):
+    return value.volume() if value.dimension == 3 else math.nan

@@ -19,6 +19,7 @@ class MakePanel(TaskPanel):
         container = source.getParentGeoFeatureGroup() if source else None
         self.made = MadeSolids(document, container)
         document.openTransaction(form.windowTitle())
+        self._was_visible = source is not None and source.Visibility
         if source and self.hides_source:
             source.Visibility = False
         form.edited.connect(self.update)
@@ -68,5 +69,5 @@ class MakePanel(TaskPanel):
     def take_back(self):
         self.document.abortTransaction()
         self.made.remove()  # if another transaction had ended this one
-        if self.source and self.hides_source:
+        if self._was_visible and not self.source.Visibility:
             self.source.Visibility = True

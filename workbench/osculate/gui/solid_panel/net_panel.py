@@ -6,29 +6,23 @@ from osculate import solids
 from osculate.features import net_text
 from osculate.features.bezier_solid import make_object, settings_of
 from osculate.features.control_net import COLUMNS, FOURTH, WEIGHT, value_of
-from osculate.gui.construct.session import Session
-from osculate.gui.construct.step_keys import StepKeys
 from osculate.gui.qt import QtWidgets, translate
 from osculate.gui.solid_panel.net_form import NetForm
 from osculate.gui.solid_panel.point_marks import PointMarks
-from osculate.gui.solid_panel.task_panel import TaskPanel
+from osculate.gui.solid_panel.session_panel import SessionPanel
 
 #: What a solid from points begins with, in mm.
 _FIRST = ((0, 0, 0), (50, 0, 0), (0, 50, 0), (0, 0, 50))
 
 
-class NetPanel(TaskPanel):
+class NetPanel(SessionPanel):
     """Edits a BezierSolid, or makes one where none is given."""
 
     def __init__(self, document, obj=None):
-        self._is_edit = obj is not None
         title = (translate("Osculate", "Edit {}").format(obj.Label) if obj
                  else translate("Osculate", "Solid from points"))
-        form = NetForm(title)
-        self.session = Session(document, title, obj)
-        super().__init__(document, form, ends_well=self._is_edit)
         self.marks = PointMarks()
-        self._observers.append(StepKeys(self.session.back, self.session.forward))
+        super().__init__(document, NetForm(title), title, obj)
         self._connect()
         if obj is None:
             is_first = not document.Objects
@@ -41,7 +35,6 @@ class NetPanel(TaskPanel):
 
     def _connect(self):
         form = self.form
-        self.session.changed.connect(self.show)
         form.table.typed.connect(self._typed)
         form.table.refused.connect(lambda sentence: form.advice.say(sentence, "warning"))
         form.table.marked.connect(lambda _rows: self._mark())
@@ -53,13 +46,8 @@ class NetPanel(TaskPanel):
         form.back.clicked.connect(self.session.back)
         form.forward.clicked.connect(self.session.forward)
 
-    def show(self):
-        """Shows the object as it is now."""
-        obj = self.session.obj
-        if obj is None:
-            return
+    def show_object(self, obj):
         self.form.show_object(obj, self.session.result)
-        self.form.show_trouble(self.session.error)
         self.form.show_steps(self.session.can_go_back, self.session.can_go_forward)
         self._mark()
 
@@ -124,34 +112,6 @@ class NetPanel(TaskPanel):
             self.marks.show(obj, self.form.table.marked_rows())
 
     # The end
-
-    def problem(self):
-        if self.session.error:
-            return translate("Osculate", "There is nothing to keep yet: mend what is wrong, or "
-                                         "Cancel.")
-        return ""
-
-    def works(self):
-        return self.is_busy or self.session.is_busy
-
-    def model_changed(self):
-        if self.session.obj is None:
-            self.reject()  # undo or another command took the object away
-        else:
-            self.session.follow_model()
-
-    def close(self):
-        document = FreeCADGui.getDocument(self.document_name)
-        if self._is_edit and document.getInEdit():
-            document.resetEdit()  # its end calls `finish`
-        else:
-            super().close()
-
-    def keep(self):
-        self.session.commit()
-
-    def take_back(self):
-        self.session.cancel()
 
     def stop(self):
         was_open = super().stop()

@@ -50,6 +50,7 @@ class NetTable(QtWidgets.QTableWidget):
             color.setAlpha(90)
             self.item(row, 1 + self._columns.index(column)).setBackground(color)
             self.scrollToItem(self.item(row, _INDEX))
+            self.clearSelection()  # its colour would hide that of the cell
 
     def marked_rows(self):
         return sorted({index.row() for index in self.selectedIndexes()})

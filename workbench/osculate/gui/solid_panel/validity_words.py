@@ -47,3 +47,11 @@ def _name_of(corners, points):
     if len(points) == 4:
         return translate("Osculate", "every point")
     return translate("Osculate", "inside, {}").format(coordinates(sum(points) / len(points)))
+
+
+def places_of(report):
+    """Barycentric coordinates of points that show where a verdict comes from."""
+    if report.witness is not None:
+        return [report.witness]
+    return [point for _corners, points in report.places
+            for point in (*points, sum(points) / len(points))]
