@@ -11,16 +11,32 @@ import FreeCADGui
 
 from osculate import BezierTetrahedron, solids
 from osculate.features import make_bezier_solid, make_solid_contact
+from osculate.gui.solid_panel.primitive_form import PrimitiveForm
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from pictures import (  # noqa: E402  FreeCAD does not look beside a script
-    DARK, LIGHT, grab, look, pump, run, save_view, set_background)
+    DARK, LIGHT, find_form, grab, look, pump, run, save_view, set_background)
 
 
 def main():
+    draw_kinds()
     draw_solid()
     draw_jacobian()
     draw_contact()
+
+
+def draw_kinds():
+    """solid_kinds.png: the panel that makes solids, a spherical wedge."""
+    document = FreeCAD.newDocument("Kinds")
+    FreeCADGui.runCommand("Osculate_BezierSolid")
+    pump()
+    form = find_form(PrimitiveForm)
+    form.kind_box.setCurrentIndex(form.kind_box.findData("sphere-wedge"))
+    form.kind_box.activated.emit(form.kind_box.currentIndex())
+    look(document, "viewIsometric")
+    grab("solid_kinds")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
 
 
 def draw_solid():

@@ -136,7 +136,6 @@
     </message>
     <message>
         <source>Whether the number is given; else it is chosen at each recompute</source>
-        <extracomment>the JoinReport at its far end, where it can be told</extracomment>
         <translation>Ob die Zahl vorgegeben ist; sonst wird sie bei jeder Neuberechnung gewählt</translation>
     </message>
     <message>
@@ -190,7 +189,7 @@
     </message>
     <message>
         <source>OK, or why there is no new result</source>
-        <extracomment>What a construction raises where it cannot be made; the message is a sentence for the user.</extracomment>
+        <extracomment>Results that every such object has.</extracomment>
         <translation>OK, oder warum es kein neues Ergebnis gibt</translation>
     </message>
     <message>
@@ -231,6 +230,7 @@
     </message>
     <message>
         <source>The vertices that the curve runs through, in this order</source>
+        <extracomment>why it failed</extracomment>
         <translation>Die Eckpunkte, durch die die Kurve läuft, in dieser Reihenfolge</translation>
     </message>
     <message>
@@ -427,6 +427,142 @@
         <source>How many spans changed, from the join</source>
         <translation>Wie viele Segmente sich vom Übergang an geändert haben</translation>
     </message>
+    <message>
+        <source>The control points in the order of their indices, from (n, 0, 0, 0) to (0, 0, 0, n)</source>
+        <extracomment>`check_validity`: degree 12 takes half a second.</extracomment>
+        <translation>Die Kontrollpunkte in der Reihenfolge ihrer Indizes, von (n, 0, 0, 0) bis (0, 0, 0, n)</translation>
+    </message>
+    <message>
+        <source>The weight of each control point; none where all are 1</source>
+        <translation>Das Gewicht jedes Kontrollpunkts; keines, wo alle 1 sind</translation>
+    </message>
+    <message>
+        <source>The fourth coordinate of each control point in four dimensions, in mm; none in three</source>
+        <translation>Die vierte Koordinate jedes Kontrollpunkts in vier Dimensionen, in mm; keine in dreien</translation>
+    </message>
+    <message>
+        <source>The degree, which follows from the number of points</source>
+        <translation>Der Grad, der aus der Zahl der Punkte folgt</translation>
+    </message>
+    <message>
+        <source>The volume; where the solid folds, parts covered inside out are taken off</source>
+        <translation>Das Volumen; wo der Körper sich faltet, werden umgestülpte Teile abgezogen</translation>
+    </message>
+    <message>
+        <source>The centre of mass</source>
+        <translation>Der Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>valid, singular or inverted and where, undecided, or nothing where it was not checked</source>
+        <translation>valid (gültig), singular oder inverted (gefaltet) und wo, undecided (unentschieden), oder nichts, wo nicht geprüft wurde</translation>
+    </message>
+    <message>
+        <source>The Bézier solid that this one follows</source>
+        <extracomment>creation is undone.</extracomment>
+        <translation>Der Bézier-Körper, dem dieser folgt</translation>
+    </message>
+    <message>
+        <source>The first Bézier solid</source>
+        <extracomment>that of osculate.BezierTetrahedron.contact</extracomment>
+        <translation>Der erste Bézier-Körper</translation>
+    </message>
+    <message>
+        <source>The second Bézier solid</source>
+        <translation>Der zweite Bézier-Körper</translation>
+    </message>
+    <message>
+        <source>How far control points of the shared face may be apart; those of deeper layers correspondingly more</source>
+        <translation>Wie weit Kontrollpunkte der gemeinsamen Fläche auseinander liegen dürfen; die tieferer Schichten entsprechend mehr</translation>
+    </message>
+    <message>
+        <source>C0, C1, … or none where no faces meet</source>
+        <translation>C0, C1, … oder none, wo keine Flächen aneinanderstoßen</translation>
+    </message>
+    <message>
+        <source>The highest s with C^s contact of the solids in space, -1 for none</source>
+        <translation>Das höchste s mit C^s-Kontakt der Körper im Raum, -1 für keinen</translation>
+    </message>
+    <message>
+        <source>The same of points and weights together, which is sufficient but not necessary</source>
+        <translation>Dasselbe für Punkte und Gewichte zusammen; das ist hinreichend, aber nicht notwendig</translation>
+    </message>
+    <message>
+        <source>The face of the first and of the second solid that meet or come nearest, by the numbers of the opposite corners</source>
+        <translation>Die Flächen des ersten und des zweiten Körpers, die aneinanderstoßen oder sich am nächsten kommen, nach den Nummern der gegenüberliegenden Ecken</translation>
+    </message>
+    <message>
+        <source>The largest distance of corresponding points of the two faces</source>
+        <translation>Der größte Abstand entsprechender Punkte der beiden Flächen</translation>
+    </message>
+    <message>
+        <source>For each order from 0 the largest difference, as a displacement of control points in mm</source>
+        <translation>Für jede Ordnung ab 0 der größte Unterschied, als Verschiebung von Kontrollpunkten in mm</translation>
+    </message>
+    <message>
+        <source>The same of points and weights together</source>
+        <translation>Dasselbe für Punkte und Gewichte zusammen</translation>
+    </message>
+    <message>
+        <source>Whether both solids lie on the same side of the face</source>
+        <translation>Ob beide Körper auf derselben Seite der Fläche liegen</translation>
+    </message>
+    <message>
+        <source>The colour of the faces</source>
+        <extracomment>Choices of SliceDirection: barycentric coordinates, then planes across an axis.</extracomment>
+        <translation>Die Farbe der Flächen</translation>
+    </message>
+    <message>
+        <source>How transparent the faces are, in percent</source>
+        <translation>Wie durchsichtig die Flächen sind, in Prozent</translation>
+    </message>
+    <message>
+        <source>The colour of the edges</source>
+        <translation>Die Farbe der Kanten</translation>
+    </message>
+    <message>
+        <source>The width of the edges in pixels</source>
+        <translation>Die Breite der Kanten in Pixeln</translation>
+    </message>
+    <message>
+        <source>The largest distance of the drawn triangles from the faces; 0 for a thousandth of the solid&apos;s size</source>
+        <translation>Der größte Abstand der gezeichneten Dreiecke von den Flächen; 0 für ein Tausendstel der Größe des Körpers</translation>
+    </message>
+    <message>
+        <source>Whether the faces and slices are coloured by the Jacobian determinant: blue where it is &gt; 0, orange where the solid folds</source>
+        <translation>Ob Flächen und Schnitte nach der Jacobi-Determinante gefärbt sind: blau, wo sie &gt; 0 ist, orange, wo der Körper sich faltet</translation>
+    </message>
+    <message>
+        <source>Whether the control net is drawn</source>
+        <translation>Ob das Kontrollnetz gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whether the control points are labelled with their indices</source>
+        <translation>Ob die Kontrollpunkte mit ihren Indizes beschriftet sind</translation>
+    </message>
+    <message>
+        <source>Whether the control points are labelled with their weights</source>
+        <translation>Ob die Kontrollpunkte mit ihren Gewichten beschriftet sind</translation>
+    </message>
+    <message>
+        <source>The colour of the control net</source>
+        <translation>Die Farbe des Kontrollnetzes</translation>
+    </message>
+    <message>
+        <source>The size of the control points in pixels</source>
+        <translation>Die Größe der Kontrollpunkte in Pixeln</translation>
+    </message>
+    <message>
+        <source>Whether the interior is shown by slices; the faces are drawn transparent then</source>
+        <translation>Ob das Innere durch Schnitte gezeigt wird; die Flächen sind dann durchsichtig</translation>
+    </message>
+    <message>
+        <source>The number of slices, evenly spaced</source>
+        <translation>Die Zahl der Schnitte, in gleichen Abständen</translation>
+    </message>
+    <message>
+        <source>What is constant on a slice: the barycentric coordinate of a corner, or a coordinate in space</source>
+        <translation>Was auf einem Schnitt gleich bleibt: die baryzentrische Koordinate einer Ecke oder eine Koordinate im Raum</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
@@ -542,7 +678,9 @@
     </message>
     <message>
         <source>Edit {}</source>
-        <extracomment>the properties that link to them</extracomment>
+        <extracomment>the properties that link to them
+----------
+What a solid from points begins with, in mm.</extracomment>
         <translation>{} bearbeiten</translation>
     </message>
     <message>
@@ -750,7 +888,7 @@
     </message>
     <message>
         <source>{} depends on {}, which therefore cannot use its edges.</source>
-        <extracomment>why it failed</extracomment>
+        <extracomment>construct(obj) gives the osculate.Construction that the properties ask for</extracomment>
         <translation>{} hängt von {} ab, das deshalb seine Kanten nicht verwenden kann.</translation>
     </message>
     <message>
@@ -838,6 +976,7 @@
     </message>
     <message>
         <source>There is nothing to keep yet: mend what is wrong, or Cancel.</source>
+        <extracomment>whether the solid that it starts from is hidden</extracomment>
         <translation>Es gibt noch nichts zu behalten: beheben Sie, was nicht stimmt, oder brechen Sie ab.</translation>
     </message>
     <message>
@@ -1333,6 +1472,509 @@
         <source>of curvature vector</source>
         <translation>mit Krümmungsvektor</translation>
     </message>
+    <message>
+        <source>{} points are no net: degree 1 has 4, degree 2 has 10, degree 3 has 20, … degree 12 has 455.</source>
+        <extracomment>What the columns of a net are called, in sentences and in tables that are pasted.</extracomment>
+        <translation>{} Punkte sind kein Netz: Grad 1 hat 4, Grad 2 hat 10, Grad 3 hat 20, … Grad 12 hat 455.</translation>
+    </message>
+    <message>
+        <source>{}: {} numbers for {} points.</source>
+        <translation>{}: {} Zahlen für {} Punkte.</translation>
+    </message>
+    <message>
+        <source>{} of point {} must be a finite number, not {}.</source>
+        <translation>{} des Punkts {} muss eine endliche Zahl sein, nicht {}.</translation>
+    </message>
+    <message>
+        <source>The weight of point {} must be 0 or more, not {:g}.</source>
+        <translation>Das Gewicht des Punkts {} muss 0 oder mehr sein, nicht {:g}.</translation>
+    </message>
+    <message>
+        <source>All weights are 0: at least one must be more.</source>
+        <translation>Alle Gewichte sind 0: mindestens eines muss größer sein.</translation>
+    </message>
+    <message>
+        <source>There is no table in the text.</source>
+        <extracomment>Which columns a table without a head has, by their number.</extracomment>
+        <translation>In dem Text ist keine Tabelle.</translation>
+    </message>
+    <message>
+        <source>The first line names no columns of a net: {}. They are i j k l x y z fourth weight, x y z at least.</source>
+        <translation>Die erste Zeile nennt keine Spalten eines Netzes: {}. Das sind i j k l x y z fourth weight, mindestens x y z.</translation>
+    </message>
+    <message>
+        <source>{} numbers in a row: x y z are needed, with a weight or not, with indices i j k l in front or not.</source>
+        <translation>{} Zahlen in einer Zeile: nötig sind x y z, mit oder ohne Gewicht, mit oder ohne Indizes i j k l davor.</translation>
+    </message>
+    <message>
+        <source>Line {}: {} numbers are needed, not {}.</source>
+        <translation>Zeile {}: {} Zahlen sind nötig, nicht {}.</translation>
+    </message>
+    <message>
+        <source>Line {}: {} must be a number, not “{}”.</source>
+        <translation>Zeile {}: {} muss eine Zahl sein, nicht „{}“.</translation>
+    </message>
+    <message>
+        <source>{} is no index of degree {}: four whole numbers from 0 with the sum {}.</source>
+        <translation>{} ist kein Index zum Grad {}: vier ganze Zahlen ab 0 mit der Summe {}.</translation>
+    </message>
+    <message>
+        <source>Two rows have the index {}.</source>
+        <translation>Zwei Zeilen haben den Index {}.</translation>
+    </message>
+    <message>
+        <source>No Bézier solid is linked.</source>
+        <translation>Es ist kein Bézier-Körper verknüpft.</translation>
+    </message>
+    <message>
+        <source>{} is no Bézier solid.</source>
+        <translation>{} ist kein Bézier-Körper.</translation>
+    </message>
+    <message>
+        <source>A contact needs two different solids.</source>
+        <translation>Ein Kontakt braucht zwei verschiedene Körper.</translation>
+    </message>
+    <message>
+        <source>Export to ParaView</source>
+        <translation>Nach ParaView exportieren</translation>
+    </message>
+    <message>
+        <source>ParaView (*.vtu)</source>
+        <translation>ParaView (*.vtu)</translation>
+    </message>
+    <message>
+        <source>{} as B-Rep</source>
+        <translation>{} als B-Rep</translation>
+    </message>
+    <message>
+        <source>Move control point</source>
+        <extracomment>Divisions of the lattice on which Jacobians are computed.</extracomment>
+        <translation>Kontrollpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Attach neighbour</source>
+        <translation>Nachbarn ansetzen</translation>
+    </message>
+    <message>
+        <source>Neighbour of {}</source>
+        <translation>Nachbar von {}</translation>
+    </message>
+    <message>
+        <source>Share of the face&apos;s corner {}</source>
+        <translation>Anteil der {}. Ecke der Fläche</translation>
+    </message>
+    <message>
+        <source>Over the face</source>
+        <translation>Über der Fläche</translation>
+    </message>
+    <message>
+        <source>{}, opposite to corner {}</source>
+        <translation>{}, gegenüber der Ecke {}</translation>
+    </message>
+    <message>
+        <source>Contact C</source>
+        <translation>Kontakt C</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>Lean</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>New corner</source>
+        <translation>Neue Ecke</translation>
+    </message>
+    <message>
+        <source>follows smoothly</source>
+        <translation>folgt glatt</translation>
+    </message>
+    <message>
+        <source>at a place</source>
+        <translation>an einem Ort</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>How far the neighbour&apos;s domain reaches beyond the face, as a share of the solid&apos;s own</source>
+        <translation>Wie weit der Bereich des Nachbarn über die Fläche hinausreicht, als Anteil des Bereichs des Körpers</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No faces meet.&lt;/b&gt; Face {} and face {} come nearest: their points are up to {} apart.</source>
+        <translation>&lt;b&gt;Keine Flächen stoßen aneinander.&lt;/b&gt; Fläche {} und Fläche {} kommen sich am nächsten: ihre Punkte sind bis zu {} auseinander.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;C{}&lt;/b&gt;: face {} meets face {}</source>
+        <translation>&lt;b&gt;C{}&lt;/b&gt;: Fläche {} stößt an Fläche {}</translation>
+    </message>
+    <message>
+        <source>Both solids lie on the same side of it.</source>
+        <translation>Beide Körper liegen auf derselben Seite davon.</translation>
+    </message>
+    <message>
+        <source>In space</source>
+        <translation>Im Raum</translation>
+    </message>
+    <message>
+        <source>With weights</source>
+        <translation>Mit Gewichten</translation>
+    </message>
+    <message>
+        <source>Check contact</source>
+        <translation>Kontakt prüfen</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <extracomment>of resources/icons, without ending</extracomment>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>rational</source>
+        <translation>rational</translation>
+    </message>
+    <message>
+        <source>polynomial</source>
+        <translation>polynomial</translation>
+    </message>
+    <message>
+        <source>{} points</source>
+        <translation>{} Punkte</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>four dimensions</source>
+        <translation>vier Dimensionen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Centroid</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>Validity</source>
+        <translation>Gültigkeit</translation>
+    </message>
+    <message>
+        <source>Raising the degree keeps the solid and gives it more points</source>
+        <translation>Ein höherer Grad lässt den Körper, wie er ist, und gibt ihm mehr Punkte</translation>
+    </message>
+    <message>
+        <source>Copy the table, for a spreadsheet</source>
+        <translation>Die Tabelle kopieren, für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Paste a table: x y z in each row, with a weight or not, with indices i j k l in front or not</source>
+        <translation>Eine Tabelle einfügen: x y z in jeder Zeile, mit oder ohne Gewicht, mit oder ohne Indizes i j k l davor</translation>
+    </message>
+    <message>
+        <source>Read a table from a text or CSV file</source>
+        <translation>Eine Tabelle aus einer Text- oder CSV-Datei lesen</translation>
+    </message>
+    <message>
+        <source>Solid from points</source>
+        <translation>Körper aus Punkten</translation>
+    </message>
+    <message>
+        <source>Raise the degree and edit the points, or paste or read a table of them.</source>
+        <translation>Grad erhöhen und Punkte bearbeiten, oder eine Tabelle der Punkte einfügen oder lesen.</translation>
+    </message>
+    <message>
+        <source>Read control points</source>
+        <translation>Kontrollpunkte lesen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt *.tsv *.dat);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>“{}” is no finite number: {} of point {} stays as it was.</source>
+        <extracomment>numbers of the rows that are marked</extracomment>
+        <translation>„{}“ ist keine endliche Zahl: {} des Punkts {} bleibt, wie es war.</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>fourth</source>
+        <translation>vierte</translation>
+    </message>
+    <message>
+        <source>Bézier solid</source>
+        <translation>Bézier-Körper</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Tetrahedron</source>
+        <extracomment>from the values of the fields to one BezierTetrahedron or a list</extracomment>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Elliptic cone</source>
+        <translation>Elliptischer Kegel</translation>
+    </message>
+    <message>
+        <source>Frustum or sector of one</source>
+        <translation>Kegelstumpf oder Sektor davon</translation>
+    </message>
+    <message>
+        <source>Cylinder or sector of one</source>
+        <translation>Zylinder oder Sektor davon</translation>
+    </message>
+    <message>
+        <source>Ball octant</source>
+        <translation>Kugeloktant</translation>
+    </message>
+    <message>
+        <source>Spherical wedge</source>
+        <translation>Kugelkeil</translation>
+    </message>
+    <message>
+        <source>Wedge with circular edges</source>
+        <translation>Keil mit kreisförmigen Kanten</translation>
+    </message>
+    <message>
+        <source>Random, to learn from</source>
+        <translation>Zufällig, zum Lernen</translation>
+    </message>
+    <message>
+        <source>Corner {}</source>
+        <translation>Ecke {}</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Half axis along x</source>
+        <translation>Halbachse entlang x</translation>
+    </message>
+    <message>
+        <source>Half axis along y</source>
+        <translation>Halbachse entlang y</translation>
+    </message>
+    <message>
+        <source>Apex</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>Radius below</source>
+        <translation>Radius unten</translation>
+    </message>
+    <message>
+        <source>Radius above</source>
+        <translation>Radius oben</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Direction {}</source>
+        <translation>Richtung {}</translation>
+    </message>
+    <message>
+        <source>Number of the drawing</source>
+        <translation>Nummer der Ziehung</translation>
+    </message>
+    <message>
+        <source>three dimensions</source>
+        <translation>drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>The radius must be more than 0.</source>
+        <translation>Der Radius muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>A direction must not be 0, 0, 0.</source>
+        <translation>Eine Richtung darf nicht 0, 0, 0 sein.</translation>
+    </message>
+    <message>
+        <source>Project from 4D</source>
+        <translation>Aus 4D projizieren</translation>
+    </message>
+    <message>
+        <source>Image of {}</source>
+        <translation>Bild von {}</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>parallel</source>
+        <translation>parallel</translation>
+    </message>
+    <message>
+        <source>from a point</source>
+        <translation>von einem Punkt aus</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>Centre in mm</source>
+        <translation>Zentrum in mm</translation>
+    </message>
+    <message>
+        <source>The image lies in the hyperplane through the origin that is perpendicular to this direction</source>
+        <translation>Das Bild liegt in der Hyperebene durch den Ursprung, die senkrecht zu dieser Richtung ist</translation>
+    </message>
+    <message>
+        <source>fourth coordinate</source>
+        <translation>vierte Koordinate</translation>
+    </message>
+    <message>
+        <source>Subdivide</source>
+        <extracomment>a parameter was changed</extracomment>
+        <translation>Zerlegen</translation>
+    </message>
+    <message>
+        <source>Part of {}</source>
+        <translation>Teil von {}</translation>
+    </message>
+    <message>
+        <source>Share of corner {}</source>
+        <translation>Anteil der Ecke {}</translation>
+    </message>
+    <message>
+        <source>Into</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>four, around a point</source>
+        <translation>vier, um einen Punkt</translation>
+    </message>
+    <message>
+        <source>eight, by the middles of the edges</source>
+        <translation>acht, über die Mitten der Kanten</translation>
+    </message>
+    <message>
+        <source>halves, through an edge</source>
+        <translation>Hälften, durch eine Kante</translation>
+    </message>
+    <message>
+        <source>Shares of the corners</source>
+        <translation>Anteile der Ecken</translation>
+    </message>
+    <message>
+        <source>Edge between corners</source>
+        <translation>Kante zwischen den Ecken</translation>
+    </message>
+    <message>
+        <source>Shares must be 0 or more, at least one of them more.</source>
+        <translation>Anteile müssen 0 oder mehr sein, mindestens einer mehr.</translation>
+    </message>
+    <message>
+        <source>Check validity</source>
+        <translation>Gültigkeit prüfen</translation>
+    </message>
+    <message>
+        <source>in space at {} mm</source>
+        <translation>im Raum bei {} mm</translation>
+    </message>
+    <message>
+        <source>Its corners turn the other way; exchange two of them.</source>
+        <translation>Seine Ecken laufen andersherum; zwei davon vertauschen.</translation>
+    </message>
+    <message>
+        <source>The Jacobian is positive everywhere: proved, not sampled.</source>
+        <translation>Die Jacobi-Determinante ist überall positiv: bewiesen, nicht abgetastet.</translation>
+    </message>
+    <message>
+        <source>The Jacobian is nowhere negative, and 0 there.</source>
+        <translation>Die Jacobi-Determinante ist nirgends negativ und dort 0.</translation>
+    </message>
+    <message>
+        <source>The Jacobian is negative there and positive elsewhere.</source>
+        <translation>Die Jacobi-Determinante ist dort negativ und anderswo positiv.</translation>
+    </message>
+    <message>
+        <source>The Jacobian comes so near to 0 there that the work allowed did not decide.</source>
+        <translation>Die Jacobi-Determinante kommt dort der 0 so nahe, dass der erlaubte Aufwand nicht entschied.</translation>
+    </message>
+    <message>
+        <source>mirror image</source>
+        <translation>Spiegelbild</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>gültig</translation>
+    </message>
+    <message>
+        <source>singular</source>
+        <translation>singulär</translation>
+    </message>
+    <message>
+        <source>folds over itself</source>
+        <translation>faltet sich</translation>
+    </message>
+    <message>
+        <source>near {}</source>
+        <translation>nahe {}</translation>
+    </message>
+    <message>
+        <source>at {}</source>
+        <translation>bei {}</translation>
+    </message>
+    <message>
+        <source>and {} more</source>
+        <translation>und {} weitere</translation>
+    </message>
+    <message>
+        <source>corner {}</source>
+        <translation>Ecke {}</translation>
+    </message>
+    <message>
+        <source>edge {}</source>
+        <translation>Kante {}</translation>
+    </message>
+    <message>
+        <source>face {}</source>
+        <translation>Fläche {}</translation>
+    </message>
+    <message>
+        <source>every point</source>
+        <translation>jedem Punkt</translation>
+    </message>
+    <message>
+        <source>inside, {}</source>
+        <translation>innen, {}</translation>
+    </message>
+    <message>
+        <source>{} folds over itself: faces may pass through each other.</source>
+        <translation>{} faltet sich: Flächen können einander durchdringen.</translation>
+    </message>
 </context>
 <context>
     <name>OsculatePreferences</name>
@@ -1408,6 +2050,29 @@ Zwei Kanten auswählen, den Punkt zwischen ihnen oder einen ganzen Kantenzug ode
     </message>
 </context>
 <context>
+    <name>Osculate_AttachSolid</name>
+    <message>
+        <source>Attach neighbour</source>
+        <extracomment>In the order of the toolbar and of the menu.</extracomment>
+        <translation>Nachbarn ansetzen</translation>
+    </message>
+    <message>
+        <source>Makes a Bézier solid that meets the selected one over a face with contact C0, C1, …</source>
+        <translation>Erzeugt einen Bézier-Körper, der über einer Fläche mit Kontakt C0, C1, … an den ausgewählten stößt</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_BezierSolid</name>
+    <message>
+        <source>Bézier solid</source>
+        <translation>Bézier-Körper</translation>
+    </message>
+    <message>
+        <source>Makes a rational Bézier tetrahedron: a tetrahedron, a cone, a part of a ball or of a cylinder, exactly, or a random one.</source>
+        <translation>Erzeugt ein rationales Bézier-Tetraeder: ein Tetraeder, einen Kegel, einen Teil einer Kugel oder eines Zylinders, exakt, oder ein zufälliges.</translation>
+    </message>
+</context>
+<context>
     <name>Osculate_Blend</name>
     <message>
         <source>Blend</source>
@@ -1418,6 +2083,50 @@ Zwei Kanten auswählen, den Punkt zwischen ihnen oder einen ganzen Kantenzug ode
 Select two edges, or click first and select then.</source>
         <translation>Verbindet zwei Kanten durch eine Kurve, die jede mit einer eigenen Ordnung der Stetigkeit trifft, G0 bis G4.
 Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_CheckContact</name>
+    <message>
+        <source>Check contact</source>
+        <translation>Kontakt prüfen</translation>
+    </message>
+    <message>
+        <source>Finds the face over which the two selected Bézier solids meet, and the highest C^s there; the check follows them.</source>
+        <translation>Findet die Fläche, an der die zwei ausgewählten Bézier-Körper aneinanderstoßen, und das höchste C^s dort; die Prüfung folgt ihnen.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_CheckValidity</name>
+    <message>
+        <source>Check validity</source>
+        <translation>Gültigkeit prüfen</translation>
+    </message>
+    <message>
+        <source>Proves whether the selected Bézier solids fold over themselves, and shows where.</source>
+        <translation>Beweist, ob die ausgewählten Bézier-Körper sich falten, und zeigt, wo.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_ElevateSolid</name>
+    <message>
+        <source>Raise degree</source>
+        <translation>Grad erhöhen</translation>
+    </message>
+    <message>
+        <source>Gives the selected Bézier solids one degree more: they stay as they are and have more control points.</source>
+        <translation>Erhöht den Grad der ausgewählten Bézier-Körper um eins: sie bleiben, wie sie sind, und haben mehr Kontrollpunkte.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_ExportSolid</name>
+    <message>
+        <source>Export to ParaView</source>
+        <translation>Nach ParaView exportieren</translation>
+    </message>
+    <message>
+        <source>Writes the selected Bézier solids into one file for ParaView (.vtu), exactly, with their weights.</source>
+        <translation>Schreibt die ausgewählten Bézier-Körper in eine Datei für ParaView (.vtu), exakt, mit ihren Gewichten.</translation>
     </message>
 </context>
 <context>
@@ -1474,11 +2183,51 @@ Wählen Sie die Kante, die bleibt, dann die Kante, die sich ändert, oder klicke
     </message>
 </context>
 <context>
-    <name>Workbench</name>
+    <name>Osculate_ProjectSolid</name>
     <message>
-        <source>Geometric continuity G0 to G4 of curves</source>
-        <translation>Geometrische Stetigkeit G0 bis G4 von Kurven</translation>
+        <source>Project from 4D</source>
+        <translation>Aus 4D projizieren</translation>
     </message>
+    <message>
+        <source>Makes the image of the selected Bézier solid of four dimensions in three, parallel or from a point.</source>
+        <translation>Erzeugt das Bild des ausgewählten vierdimensionalen Bézier-Körpers in drei Dimensionen, parallel oder von einem Punkt aus.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_SolidFromPoints</name>
+    <message>
+        <source>New from points</source>
+        <translation>Neu aus Punkten</translation>
+    </message>
+    <message>
+        <source>Makes a Bézier solid of a table of control points and weights, typed, pasted or read from a file.</source>
+        <translation>Erzeugt einen Bézier-Körper aus einer Tabelle von Kontrollpunkten und Gewichten, getippt, eingefügt oder aus einer Datei gelesen.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_SolidToBRep</name>
+    <message>
+        <source>To B-Rep solid</source>
+        <translation>In B-Rep-Körper</translation>
+    </message>
+    <message>
+        <source>Makes Part solids with the exact faces of the selected Bézier solids, which they follow: for booleans, STEP and all that Part can do.</source>
+        <translation>Erzeugt Part-Körper mit den exakten Flächen der ausgewählten Bézier-Körper, denen sie folgen: für Boolesche Operationen, STEP und alles, was Part kann.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_SubdivideSolid</name>
+    <message>
+        <source>Subdivide</source>
+        <translation>Zerlegen</translation>
+    </message>
+    <message>
+        <source>Cuts the selected Bézier solid, exactly: into four around a point, into eight, or into halves.</source>
+        <translation>Zerlegt den ausgewählten Bézier-Körper exakt: in vier um einen Punkt, in acht oder in Hälften.</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
     <message>
         <source>Osculate</source>
         <translation>Osculate</translation>
@@ -1486,6 +2235,18 @@ Wählen Sie die Kante, die bleibt, dann die Kante, die sich ändert, oder klicke
     <message>
         <source>&amp;Osculate</source>
         <translation>&amp;Osculate</translation>
+    </message>
+    <message>
+        <source>Geometric continuity G0 to G4 of curves, Bézier solids</source>
+        <translation>Geometrische Stetigkeit G0 bis G4 von Kurven, Bézier-Körper</translation>
+    </message>
+    <message>
+        <source>Bézier solids</source>
+        <translation>Bézier-Körper</translation>
+    </message>
+    <message>
+        <source>&amp;Bézier solids</source>
+        <translation>&amp;Bézier-Körper</translation>
     </message>
 </context>
 </TS>

@@ -5,6 +5,7 @@ import FreeCADGui
 import samples
 from gui_case import GuiCase
 from osculate.gui.construct.blend_form import BlendForm
+from osculate.gui.solid_panel.solid_form import SolidForm
 
 
 class GermanTest(GuiCase):
@@ -39,3 +40,20 @@ class GermanTest(GuiCase):
         self.assertIn("Krümmungsänderung", self.form().energies.text())
         self.screenshot("german_blend")
         self.assertLessEqual(self.form().minimumSizeHint().width(), 340)  # or it would be cut
+
+    def test_solids(self):
+        self.form_type = SolidForm
+        FreeCADGui.runCommand("Osculate_BezierSolid")
+        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
+        self.pump()
+        form = self.form()
+        self.assertEqual(form.windowTitle(), "Bézier-Körper")
+        self.assertEqual([form.kind_box.itemText(index) for index in (0, 5)],
+                         ["Tetraeder", "Kugeloktant"])
+        self.assertIn("gültig", form.facts.text())
+        for index in range(form.kind_box.count()):
+            form.kind_box.setCurrentIndex(index)
+            form.kind_box.activated.emit(index)
+            self.pump()
+            self.assertLessEqual(form.minimumSizeHint().width(), 340, form.kind.name)
+        self.screenshot("german_solid")
