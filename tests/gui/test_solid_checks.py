@@ -1,11 +1,10 @@
 """Check contact and Check validity."""
 
+import FreeCAD
 import FreeCADGui
 
 from osculate import solids
-from osculate.gui.commands.command import show_panel
 from osculate.gui.qt import QtWidgets
-from osculate.gui.solid_panel.contact_panel import ContactPanel
 from solid_case import SolidCase
 
 
@@ -47,7 +46,7 @@ class ContactTest(SolidCase):
     def test_edited(self):
         self.run_on_objects(*self.pair(2))
         self.finish("Ok")
-        show_panel(ContactPanel(self.doc, self.obj))
+        self.obj.ViewObject.doubleClicked()
         form = self.shown_form()
         self.assertIn("<b>C2</b>", form.label.text())
         self.type_number(form.tolerance.box, "100")
@@ -126,6 +125,11 @@ class ValidityTest(SolidCase):
         self.doc.removeObject(obj.Name)
         self.pump()
         self.assertEqual(form.label.text(), "")
+
+    def test_closing_the_document_closes_the_panel(self):
+        self.run_on_objects(self.solid())
+        FreeCAD.closeDocument(self.doc.Name)
+        self.wait_for(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
 
     def test_four_dimensions_are_said(self):
         form = self.run_on_objects(self.solid(solids.random(2, 2, 4)))

@@ -2,6 +2,7 @@
 
 import math
 
+import FreeCAD
 import FreeCADGui
 
 from osculate import solids
@@ -114,7 +115,6 @@ class MakeSolidTest(SolidCase):
         self.assertEqual(self.doc.Objects, [])
 
     def test_closing_the_document_closes_the_panel(self):
-        import FreeCAD
         self.run_on()
         FreeCAD.closeDocument(self.doc.Name)
         self.wait_for(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")

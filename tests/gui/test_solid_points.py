@@ -4,13 +4,12 @@ import os
 import tempfile
 
 import FreeCAD
+import FreeCADGui
 
 from gui_case import QTest, Qt
 from osculate import solids
 from osculate.features import net_text
-from osculate.gui.commands.command import show_panel
 from osculate.gui.qt import QtWidgets
-from osculate.gui.solid_panel.net_panel import NetPanel
 from solid_case import SolidCase
 
 V = FreeCAD.Vector
@@ -44,7 +43,7 @@ class TableCase(SolidCase):
     def edit_solid(self, value):
         """The panel on a solid with a value; returns the form."""
         self.solid(value)
-        show_panel(NetPanel(self.doc, self.obj))
+        self.obj.ViewObject.doubleClicked()
         return self.shown_form()
 
 
@@ -97,6 +96,22 @@ class NewFromPointsTest(TableCase):
             form.panel.take_file(os.path.join(folder, "none.csv"))
             self.assertIn("none.csv", form.advice.text())
         self.assertEqual(list(self.obj.Weights), [1, 2, 1, 1])
+
+    def test_points_can_be_dragged_until_the_panel_closes(self):
+        self.run_on()
+        view = self.obj.ViewObject.Proxy
+        view._handles.moved.emit(3, (0.0, 0.0, 75.0))
+        view._handles.let_loose.emit()
+        self.pump()
+        self.assertEqual(self.obj.Points[3], V(0, 0, 75))
+        self.assertTrue(self.form().back.isEnabled())
+        self.finish("Ok")
+        self.assertIsNone(view._handles)
+
+    def test_closing_the_document_closes_the_panel(self):
+        self.run_on().table.selectRow(2)
+        FreeCAD.closeDocument(self.doc.Name)
+        self.wait_for(lambda: not FreeCADGui.Control.activeDialog(), "the panel to close")
 
     def test_cancel(self):
         form = self.run_on()

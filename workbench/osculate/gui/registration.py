@@ -2,7 +2,6 @@
 
 from functools import partial
 from importlib import import_module
-from importlib.util import find_spec
 
 from osculate.features import views
 from osculate.features.bezier_solid import BezierSolid
@@ -27,8 +26,7 @@ def register(gui):
     gui.addPreferencePage(PreferencesPage, "Osculate")
     gui.addWorkbench(OsculateWorkbench())
     for kind, view in _VIEWS.items():
-        if _is_there(view[0]):
-            views.register(kind, partial(_give, view))
+        views.register(kind, partial(_give, view))
 
 
 #: Proxy class of a document object -> module and class of its view, loaded when it is used.
@@ -43,13 +41,6 @@ _VIEWS = {
     SolidContact: ("osculate.gui.solid.contact_view", "ContactView"),
     SolidBRep: ("osculate.gui.solid_panel.brep_view", "SolidBRepView"),
 }
-
-
-def _is_there(module):
-    try:
-        return find_spec(module) is not None
-    except ModuleNotFoundError:
-        return False  # its package neither
 
 
 def _give(view, view_object):

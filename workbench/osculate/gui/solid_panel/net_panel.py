@@ -27,6 +27,7 @@ class NetPanel(SessionPanel):
         if obj is None:
             is_first = not document.Objects
             self.session.create(make_object, **settings_of(solids.tetrahedron(*_FIRST)))
+            self.session.obj.ViewObject.Proxy.start_dragging(self.session)
             if is_first:
                 FreeCADGui.SendMsgToActiveView("ViewFit")
             self.form.advice.say(translate("Osculate", "Raise the degree and edit the points, or "
@@ -113,8 +114,16 @@ class NetPanel(SessionPanel):
 
     # The end
 
-    def stop(self):
-        was_open = super().stop()
+    def stop(self, document_closes=False):
+        was_open = super().stop(document_closes)
         if was_open:
-            self.marks.remove()
+            self.marks.remove(document_closes)
+            if not document_closes:
+                self._let_points_go()
         return was_open
+
+    def _let_points_go(self):
+        """The points of a new solid were dragged by the panel's wish, not in the edit mode."""
+        obj = self.session.obj
+        if obj is not None and not self._is_edit:
+            obj.ViewObject.Proxy.stop_dragging()

@@ -26,5 +26,9 @@ class PointMarks:
         self._overlay.show(obj.Document.Name,
                            nodes.without_extent(nodes.untouchable(*rings)))
 
-    def remove(self):
-        self._overlay.remove()
+    def remove(self, document_closes=False):
+        """Leaves no trace, in views that stay."""
+        if document_closes:
+            self._overlay.forget()
+        else:
+            self._overlay.remove()

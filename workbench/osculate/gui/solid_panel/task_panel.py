@@ -80,11 +80,13 @@ class TaskPanel:
             self.take_back()
 
     def _document_closed(self, name):
-        if name == self.document_name and self.stop():
+        if name == self.document_name and self.stop(document_closes=True):
             FreeCADGui.Control.closeDialog()
 
-    def stop(self):
-        """Ends the observers; False if that was done before."""
+    def stop(self, document_closes=False):
+        """Ends the observers; False if that was done before. Where the document closes its views
+        are gone or going.
+        """
         observers, self._observers = self._observers, []
         for observer in observers:
             observer.stop()

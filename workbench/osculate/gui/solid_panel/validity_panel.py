@@ -47,10 +47,10 @@ class ValidityPanel(TaskPanel):
         self.label.show_report(found)
         self.is_busy = False
 
-    def stop(self):
-        was_open = super().stop()
+    def stop(self, document_closes=False):
+        was_open = super().stop(document_closes)
         for marks in self._marks if was_open else ():
-            marks.remove()
+            marks.remove(document_closes)
         return was_open
 
     def getStandardButtons(self):
