@@ -56,7 +56,8 @@ class NetEnergy {
                 const std::vector<int>& known) const {
     if (unknown.empty()) return;
     const Eigen::MatrixXd knownValues = values(Eigen::all, known);
-    const Eigen::MatrixXd right = -matrix_(unknown, known) * knownValues.transpose();
+    const Eigen::MatrixXd across = matrix_(unknown, known);
+    const Eigen::MatrixXd right = -across * knownValues.transpose();
     const Eigen::MatrixXd solved = matrix_(unknown, unknown).ldlt().solve(right);
     values(Eigen::all, unknown) = solved.transpose();
   }
