@@ -63,7 +63,7 @@ Eigen::VectorXd vectorFrom(const py::object& value, const char* argument, int di
 template <int Corners>
 Barycentric<Corners> coordinateFrom(const py::object& value, const char* argument) {
   const Barycentric<Corners> result = vectorFrom(value, argument, Corners);
-  checkSums(coordinatesFrom<Corners>(value, argument), argument);
+  coordinatesFrom<Corners>(value, argument);  // checks the sum
   return result;
 }
 template Barycentric<3> coordinateFrom<3>(const py::object&, const char*);

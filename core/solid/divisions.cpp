@@ -58,9 +58,13 @@ double secondDerivativeBound(const BezierTriangle& patch) {
   return (second.space + 2.0 * first.weight * firstBound + second.weight * extent) / wLeast;
 }
 
-/// The bound over the whole, from parts 1/2^depth the size.
+/// The bound over the whole, from parts 1/2^depth the size; parts with a control point of weight 0,
+/// which have none, are left out.
 double boundInParts(const BezierTriangle& patch, int depth) {
-  if (depth == 0) return secondDerivativeBound(patch);
+  if (depth == 0) {
+    const double bound = secondDerivativeBound(patch);
+    return std::isfinite(bound) ? bound : 0.0;
+  }
   double bound = 0.0;
   for (const BezierTriangle& part : patch.refined())
     bound = std::max(bound, 4.0 * boundInParts(part, depth - 1));

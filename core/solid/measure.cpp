@@ -124,55 +124,63 @@ Face centredFace(const BezierTetrahedron& solid, int corner, const Vector3& cent
   return {faceNet<4>(net, solid.degree(), corner), solid.degree()};
 }
 
+/// The fluxes out of the whole solid.
+struct Totals {
+  Fluxes value = Fluxes::Zero();
+  Fluxes error = Fluxes::Zero();
+  double volumeScale = 0.0;  ///< the sum of the moduli of the fluxes of volume
+};
+
+Totals totalFluxes(const BezierTetrahedron& solid, const Vector3& centre, double size,
+                   double relativeTolerance) {
+  const Rule& rule = ruleFor(solid);
+  Totals total;
+  std::array<Fluxes, 4> whole;
+  std::array<Face, 4> faces;
+  for (std::size_t c = 0; c < 4; ++c) {
+    faces[c] = centredFace(solid, static_cast<int>(c), centre);
+    whole[c] = integrate(faces[c], unitCorners<3>(), rule);
+    total.volumeScale += std::abs(whole[c][0]);
+  }
+  Fluxes allowed = Fluxes::Constant(relativeTolerance * total.volumeScale * size);
+  allowed[0] = relativeTolerance * total.volumeScale;
+  for (std::size_t c = 0; c < 4; ++c) {
+    // faces opposite to even corners turn outwards with their corners in order, the others inwards
+    const double sign = c % 2 == 0 ? 1.0 : -1.0;
+    if (!solid.isRational()) {
+      total.value += sign * whole[c];
+      continue;
+    }
+    FaceIntegrator integrator(faces[c], rule, allowed);
+    integrator.add(unitCorners<3>(), whole[c]);
+    total.value += sign * integrator.value;
+    total.error += integrator.error;
+  }
+  return total;
+}
+
 }  // namespace
 
 SolidMeasure measure(const BezierTetrahedron& solid, double relativeTolerance) {
   if (solid.dimension() != 3)
     throw std::invalid_argument("measure: of a solid in E3; project it from E4 first");
-  const Rule& rule = ruleFor(solid);
   const auto [low, high] = solid.box();
   const Vector3 centre = 0.5 * (low + high);
   const double size = (high - low).norm();
-  std::array<Fluxes, 4> whole;
-  std::array<Face, 4> faces;
-  for (int corner = 0; corner < 4; ++corner) {
-    const auto c = static_cast<std::size_t>(corner);
-    faces[c] = centredFace(solid, corner, centre);
-    whole[c] = integrate(faces[c], unitCorners<3>(), rule);
-  }
-  Fluxes value = Fluxes::Zero();
-  Fluxes error = Fluxes::Zero();
-  Fluxes moduli = Fluxes::Zero();
-  for (const Fluxes& flux : whole)
-    moduli += flux.cwiseAbs();
-  const double volumeScale = moduli[0];
-  Fluxes allowed = Fluxes::Constant(relativeTolerance * volumeScale * size);
-  allowed[0] = relativeTolerance * volumeScale;
-  for (std::size_t c = 0; c < 4; ++c) {
-    // faces opposite to even corners turn outwards with their corners in order, the others inwards
-    const double sign = c % 2 == 0 ? 1.0 : -1.0;
-    if (!solid.isRational()) {
-      value += sign * whole[c];
-      continue;
-    }
-    FaceIntegrator integrator(faces[c], rule, allowed);
-    integrator.add(unitCorners<3>(), whole[c]);
-    value += sign * integrator.value;
-    error += integrator.error;
-  }
+  const Totals total = totalFluxes(solid, centre, size, relativeTolerance);
   constexpr double kRounding = 64.0 * kUnitRoundoff;
   SolidMeasure result;
-  result.volume = value[0];
-  result.volumeError = error[0] + kRounding * volumeScale;
-  if (value[0] == 0.0) {
+  result.volume = total.value[0];
+  result.volumeError = total.error[0] + kRounding * total.volumeScale;
+  if (result.volume == 0.0) {
     result.centroid.setConstant(std::numeric_limits<double>::quiet_NaN());
     return result;
   }
-  const Vector3 offset = value.tail<3>() / value[0];
+  const Vector3 offset = total.value.tail<3>() / result.volume;
   result.centroid = centre + offset;
-  result.centroidErrorMm =
-      (error.tail<3>().norm() + offset.norm() * result.volumeError) / std::abs(value[0]) +
-      kRounding * (size + centre.norm());
+  result.centroidErrorMm = (total.error.tail<3>().norm() + offset.norm() * result.volumeError) /
+                               std::abs(result.volume) +
+                           kRounding * (size + centre.norm());
   return result;
 }
 

@@ -34,7 +34,8 @@ SolidMesh uniformMesh(const BezierTetrahedron& solid, int m);
 FaceMesh faceMesh(const BezierTetrahedron& solid, int face, int m);
 
 /// The least m for which every face's triangles are within chordalMm of it, by bounds of the second
-/// derivatives (not by samples): |B - L| <= 2/9 M/m^2 on a face. At most kMaxDivisions. Throws
+/// derivatives (not by samples): |B - L| <= 2/9 M/m^2 on a face, but for the quarter of a face's
+/// edge beside a corner of weight 0, where there is no bound. At most kMaxDivisions. Throws
 /// std::invalid_argument unless chordalMm is finite and > 0.
 int divisionsFor(const BezierTetrahedron& solid, double chordalMm);
 

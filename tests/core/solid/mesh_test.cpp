@@ -176,6 +176,15 @@ TEST(Mesh, ALinearSolidNeedsOneTetrahedron) {
   EXPECT_EQ(divisionsFor(linearTetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 1e-6), 1);
 }
 
+TEST(Mesh, ACornerOfWeightZeroDoesNotAskForTheFinestDivision) {
+  const BezierTetrahedron octant = ballOctant(10.0);
+  std::vector<double> weights = octant.weights();
+  weights[static_cast<std::size_t>(netIndex<4>({4, 0, 0, 0}))] = 0.0;
+  const int divisions = divisionsFor(BezierTetrahedron(4, octant.points(), weights), 0.01);
+  EXPECT_GT(divisions, divisionsFor(octant, 0.01) / 4);
+  EXPECT_LT(divisions, 1000);
+}
+
 TEST(Mesh, RefusesBadArguments) {
   Random random(5);
   const BezierTetrahedron solid = randomSolid(random, 2, false);
