@@ -73,12 +73,12 @@ def draw_contact():
     document = FreeCAD.newDocument("Contact")
     value = solids.random(3, 1)
     first = make_bezier_solid(document, value)
-    second = make_bezier_solid(document, value.join((-0.6, 0.5, 0.5, 0.6), 1))
+    second = make_bezier_solid(document, value.join((-1.0, 0.6, 0.6, 0.8), 1))
     make_solid_contact(document, first, second)
     for solid in (first, second):
         solid.ViewObject.ShowNet = False
         solid.ViewObject.Transparency = 40
-    look(document, "viewIsometric", 1.2)
+    look(document, "viewTop", 1.1)
     save_view(document, "contact", 900, 520)
     FreeCAD.closeDocument(document.Name)
 

@@ -13,11 +13,12 @@ from osculate.gui.solid import meshes
 from osculate.gui.solid.net_node import legs_of
 from osculate.gui.solid.surface_node import (
     LinesNode, SurfaceNode, fill, rows, through_everything)
-from osculate.gui.solid.value import in_space
+from osculate.gui.solid.value import in_space, size_of
 
 _DIVISIONS = 24
 _FACE_TRANSPARENCY, _RIM_WIDTH, _LEG_WIDTH, _GAP_WIDTH = 0.55, 3.5, 1.5, 2.0
 _POINT_SIZE = 10
+_ROUNDING = 1e-13  # share of the size within which a deviation is that of double coordinates
 
 
 def contact_node(first, second, report, text_points):
@@ -48,17 +49,18 @@ def layers_of(degree, face, order):
 
 
 def color_of_layer(layer, order):
-    """The colour of the points of a layer: of its order, or of what does not match."""
-    return colors.of_order(layer) if layer <= order else colors.GAP
+    """The colour of the points of a layer: of its order, grey where it does not match."""
+    return colors.of_order(layer) if layer <= order else colors.ERROR
 
 
-def description(report):
-    """What the label says beside the order."""
+def description(report, size):
+    """What the label says beside the order; `size` of the solids in mm."""
     if not report.meets:
         return numbers.quantity(report.gap_mm, "mm", 3)
     residuals, order = report.residuals_mm, report.order
+    deviation = max(residuals[:order + 1])
     texts = [translate("Osculate", "deviation {}").format(
-        numbers.quantity(max(residuals[:order + 1]), "mm", 3))]
+        numbers.quantity(deviation, "mm", 3) if deviation > _ROUNDING * size else "≈ 0")]
     if order + 1 < len(residuals):
         texts.append(translate("Osculate", "C{} misses by {}").format(
             order + 1, numbers.quantity(residuals[order + 1], "mm", 3)))
@@ -93,7 +95,8 @@ def _layers(solid, face, order, text_points):
                 if any(end in below for end in leg) and any(end in group for end in leg)]
         lines = LinesNode()
         lines.show_legs(solid.points, legs)
-        lines.paint(nodes.rgb(color), _LEG_WIDTH)
+        lines.paint(nodes.rgb(color), _LEG_WIDTH,
+                    pattern=nodes.SOLID if layer <= order else nodes.DASHED)
         yield nodes.separator(lines.node, _points(solid.points[group], color))
         if layer:
             tag = sprites.note(f"C{layer}", text_points, color)
@@ -128,7 +131,8 @@ def _label(shown, report, color, text_points):
     middle = numpy.mean([place for place in middles if numpy.isfinite(place).all()] or [[0.0] * 3],
                         axis=0)
     aways = [solid.points.mean(axis=0) - middle for solid, _ in shown]
-    labels = [sprites.callout(name_of(report), description(report), color, text_points, corner)
+    text = description(report, max(size_of(solid) for solid, _ in shown))
+    labels = [sprites.callout(name_of(report), text, color, text_points, corner)
               for corner in CORNERS]
     return nodes.at(middle, in_freest_corner(labels, aways))
 

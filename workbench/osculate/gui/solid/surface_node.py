@@ -90,10 +90,11 @@ class LinesNode:
         fill(self._coordinates.point, rows([points]))
         fill(self._lines.coordIndex, [i for leg in legs for i in (*leg, -1)])
 
-    def paint(self, color, width, transparency=0.0):
+    def paint(self, color, width, transparency=0.0, pattern=nodes.SOLID):
         self._material.diffuseColor = tuple(color[:3])
         self._material.transparency = transparency
         self._style.lineWidth = width
+        self._style.linePattern = pattern
 
 
 def _unmixed():
