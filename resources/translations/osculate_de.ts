@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>The derivative of arc length of this order at the end, by the parameter, as a share of the chord; β1 is the speed</source>
-        <extracomment>(N, K+1): bounds of the errors of the residuals</extracomment>
+        <extracomment>a point of a surface, as the pole of a sphere: nothing is amiss</extracomment>
         <translation>Die Ableitung dieser Ordnung der Bogenlänge nach dem Parameter am Ende, als Anteil der Sehne; β1 ist die Geschwindigkeit</translation>
     </message>
     <message>
@@ -1547,11 +1547,6 @@ What a solid from points begins with, in mm.</extracomment>
         <translation>{} als B-Rep</translation>
     </message>
     <message>
-        <source>Move control point</source>
-        <extracomment>Divisions of the lattice on which Jacobians are computed.</extracomment>
-        <translation>Kontrollpunkt verschieben</translation>
-    </message>
-    <message>
         <source>Attach neighbour</source>
         <translation>Nachbarn ansetzen</translation>
     </message>
@@ -1974,6 +1969,31 @@ What a solid from points begins with, in mm.</extracomment>
     <message>
         <source>{} folds over itself: faces may pass through each other.</source>
         <translation>{} faltet sich: Flächen können einander durchdringen.</translation>
+    </message>
+    <message>
+        <source>deviation {}</source>
+        <translation>Abweichung {}</translation>
+    </message>
+    <message>
+        <source>C{} misses by {}</source>
+        <translation>C{} um {} verfehlt</translation>
+    </message>
+    <message>
+        <source>both on the same side</source>
+        <translation>beide auf derselben Seite</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Jacobian, mm³</source>
+        <extracomment>of the solid</extracomment>
+        <translation>Jacobi-Determinante, mm³</translation>
+    </message>
+    <message>
+        <source>folds where it is &lt; 0</source>
+        <translation>gefaltet, wo sie &lt; 0 ist</translation>
     </message>
 </context>
 <context>
