@@ -164,7 +164,7 @@ BezierTetrahedron join(const BezierTetrahedron& self, const py::object& apex,
   NeighbourOptions options;
   if (!apexPoint.is_none())
     options.apexPoint = vectorFrom(apexPoint, "apex_point", self.dimension());
-  const BezierTetrahedron next = neighbour(self, corner, at, integerFrom(order, "order"), options);
+  BezierTetrahedron next = neighbour(self, corner, at, integerFrom(order, "order"), options);
   if (boolFrom(keepLabels, "keep_labels")) return next;
   MultiIndex<4> exchanged{0, 1, 2, 3};
   std::swap(exchanged[static_cast<std::size_t>((corner + 1) % 4)],
