@@ -167,6 +167,19 @@ class EditTest(TableCase):
         self.assertEqual(form.trouble.text(), "")
         self.finish("Ok")
 
+    def test_what_a_script_left_can_be_mended(self):
+        obj = self.solid(solids.cone(25, 50))
+        points = obj.Points
+        points[9].z = float("nan")
+        obj.Points = points
+        self.doc.recompute()
+        obj.ViewObject.doubleClicked()
+        form = self.shown_form()
+        self.assertIn("z of point 0 0 0 2 must be a finite number", form.trouble.text())
+        self.type_cell(form, 9, 3, "50")
+        self.assertEqual((form.trouble.text(), obj.Proxy.value), ("", solids.cone(25, 50)))
+        self.finish("Ok")
+
     def test_all_weights_zero(self):
         form = self.edit_solid(solids.tetrahedron((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)))
         for row in range(4):

@@ -23,8 +23,18 @@ def number(value, digits=4):
 
 
 def coordinate(value, size, digits=5):
-    """A coordinate of something of this size: "0" for what is only the rounding of one."""
-    return number(0.0 if abs(value) < _ROUNDING * size else value, digits)
+    """A coordinate of something of this size, to so many digits of the size: "0" for what is only
+    the rounding of one.
+    """
+    if abs(value) <= _ROUNDING * size:
+        return number(0.0)
+    decimals = digits - 1 - math.floor(math.log10(size)) if size > 0.0 else 0
+    if not 0 <= decimals <= digits or not math.isfinite(value):
+        return number(value, digits)
+    if round(value, decimals) == 0.0:
+        return number(value, 2)
+    text = f"{value:.{decimals}f}"
+    return (text.rstrip("0").rstrip(".") if "." in text else text).replace("-", "−")
 
 
 def quantity(value, unit, digits=4):

@@ -3,8 +3,9 @@
 from osculate.gui import resources
 from osculate.gui.construct.energy_table import EnergyTable
 from osculate.gui.construct.join_verdicts import JoinVerdicts
+from osculate.gui.construct.step_buttons import StepButtons
 from osculate.gui.panel.message import Message
-from osculate.gui.qt import Qt, QtCore, QtWidgets, Signal, translate
+from osculate.gui.qt import QtWidgets, Signal
 
 
 class ConstructForm(QtWidgets.QWidget):
@@ -29,14 +30,14 @@ class ConstructForm(QtWidgets.QWidget):
         self.warnings = Message()
         self.verdicts = JoinVerdicts()
         self.energies = EnergyTable()
-        self.back = _step_button("back", translate("Osculate", "Take the last step back"))
-        self.forward = _step_button("forward", translate("Osculate", "Take the step again"))
+        steps = StepButtons()
+        self.back, self.forward, self.show_steps = steps.back, steps.forward, steps.show_steps
         layout = QtWidgets.QVBoxLayout(self)
         layout.setSpacing(8)
         for widget in (self.advice, *self.content(), self.trouble, self.warnings, self.verdicts,
                        self.energies):
             layout.addWidget(widget)
-        layout.addLayout(self._steps())
+        layout.addWidget(steps)
         layout.addStretch(1)
         self.show_parts(has_object=False)
         self.show_outcome(None, "", (None, None))
@@ -69,24 +70,3 @@ class ConstructForm(QtWidgets.QWidget):
         if result is not None:
             self.verdicts.show_reports(self.reports(result))
             self.energies.show_energies(*energies)
-
-    def show_steps(self, can_go_back, can_go_forward):
-        self.back.setEnabled(can_go_back)
-        self.forward.setEnabled(can_go_forward)
-
-    def _steps(self):
-        layout = QtWidgets.QHBoxLayout()
-        layout.addStretch(1)
-        layout.addWidget(self.back)
-        layout.addWidget(self.forward)
-        return layout
-
-
-def _step_button(icon, tip):
-    button = QtWidgets.QToolButton()
-    button.setIcon(resources.icon(icon))
-    button.setIconSize(QtCore.QSize(18, 18))
-    button.setToolTip(tip)
-    button.setAutoRaise(True)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    return button

@@ -2,10 +2,10 @@
 
 from osculate.features import control_net
 from osculate.features.control_net import MOST_DEGREE, NetError
-from osculate.gui import resources
 from osculate.gui.construct.rows import row_of
+from osculate.gui.construct.step_buttons import StepButtons, flat_button
 from osculate.gui.panel.quiet import SpinBox
-from osculate.gui.qt import Qt, QtCore, QtWidgets, Signal, translate
+from osculate.gui.qt import QtWidgets, Signal, translate
 from osculate.gui.solid_panel.net_table import NetTable
 from osculate.gui.solid_panel.solid_form import SolidForm
 
@@ -21,7 +21,10 @@ class NetForm(SolidForm):
         self.degree.setToolTip(translate("Osculate", "Raising the degree keeps the solid and gives "
                                                      "it more points"))
         self._make_buttons()
+        steps = StepButtons()
+        self.back, self.forward, self.show_steps = steps.back, steps.forward, steps.show_steps
         super().__init__(title, "solid-points", self._first_row(), self.table)
+        self.column.insertWidget(self.column.count() - 1, steps)
         self.setObjectName("OsculateNetPanel")
         self.degree.valueChanged.connect(self.degree_wanted)
 
@@ -42,10 +45,6 @@ class NetForm(SolidForm):
         else:
             self._show_wrong(points, weights, fourth)
 
-    def show_steps(self, can_go_back, can_go_forward):
-        self.back.setEnabled(can_go_back)
-        self.forward.setEnabled(can_go_forward)
-
     def _show_degree(self, degree, can_be_raised):
         blocked = self.degree.blockSignals(True)
         self.degree.setRange(degree, MOST_DEGREE)
@@ -61,25 +60,14 @@ class NetForm(SolidForm):
                 self.table.show_wrong(error.row, error.column)
 
     def _make_buttons(self):
-        self.copy = _button("copy", translate("Osculate", "Copy the table, for a spreadsheet"))
-        self.paste = _button("paste", translate(
+        self.copy = flat_button("copy", translate("Osculate", "Copy the table, for a spreadsheet"))
+        self.paste = flat_button("paste", translate(
             "Osculate", "Paste a table: x y z in each row, with a weight or not, with indices "
                         "i j k l in front or not"))
-        self.open = _button("open", translate("Osculate", "Read a table from a text or CSV file"))
-        self.back = _button("back", translate("Osculate", "Take the last step back"))
-        self.forward = _button("forward", translate("Osculate", "Take the step again"))
+        self.open = flat_button("open", translate(
+            "Osculate", "Read a table from a text or CSV file"))
 
     def _first_row(self):
         space = QtWidgets.QWidget()
         return row_of(QtWidgets.QLabel(translate("Osculate", "Degree")), self.degree, (space, 1),
-                      self.copy, self.paste, self.open, self.back, self.forward)
-
-
-def _button(icon, tip):
-    button = QtWidgets.QToolButton()
-    button.setIcon(resources.icon(icon))
-    button.setIconSize(QtCore.QSize(18, 18))
-    button.setToolTip(tip)
-    button.setAutoRaise(True)
-    button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    return button
+                      self.copy, self.paste, self.open)

@@ -22,7 +22,6 @@ class NetTable(QtWidgets.QTableWidget):
         super().__init__()
         self._columns, self._degree = (), None
         self.setItemDelegate(_NumberDelegate(self))
-        self.setAlternatingRowColors(True)
         self.setWordWrap(False)
         self.verticalHeader().setVisible(False)
         self.itemSelectionChanged.connect(lambda: self.marked.emit(self.marked_rows()))
@@ -35,12 +34,16 @@ class NetTable(QtWidgets.QTableWidget):
         weights = weights or [1.0] * len(points)
         self._rows = [(*point, *fourth[row:row + 1], weights[row])
                       for row, point in enumerate(points)]
-        size = max((abs(x) for point in points for x in point), default=0.0)
+        self._show_numbers()
+
+    def _show_numbers(self):
+        digits = _DIGITS - (len(self._columns) > 4)  # of four dimensions there is less room
+        size = _largest(x for line in self._rows for x in line[:-1])
+        sizes = [size] * (len(self._columns) - 1) + [_largest(line[-1] for line in self._rows)]
         for row, line in enumerate(self._rows):
-            for column, number in enumerate(line, start=1):
+            for column, (number, size) in enumerate(zip(line, sizes), start=1):
                 item = self.item(row, column)
-                item.setText(numbers.coordinate(number, size if column < len(line) else 0.0,
-                                                _DIGITS))
+                item.setText(numbers.coordinate(number, size, digits))
                 item.setBackground(QtGui.QBrush())
 
     def show_wrong(self, row, column):
@@ -85,15 +88,23 @@ class NetTable(QtWidgets.QTableWidget):
                 item = QtWidgets.QTableWidgetItem()
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 self.setItem(row, column, item)
-        self._size(len(names))
+        self._make_widths()
+        self._make_height()
 
-    def _size(self, rows):
+    def showEvent(self, event):
+        super().showEvent(event)
+        self._make_height()  # a style sheet sets that of the rows just before
+
+    def _make_widths(self):
         header = self.horizontalHeader()
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Stretch)
         header.setSectionResizeMode(_INDEX, QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
         header.setMinimumSectionSize(40)
-        height = self.verticalHeader().defaultSectionSize()
-        self.setFixedHeight(header.sizeHint().height() + min(rows, _ROWS_SHOWN) * height + 4)
+
+    def _make_height(self):
+        rows = min(self.rowCount(), _ROWS_SHOWN) * self.rowHeight(0)
+        frame = self.contentsMargins().top() + self.contentsMargins().bottom()
+        self.setFixedHeight(self.horizontalHeader().sizeHint().height() + rows + frame + 2)
 
 
 class _NumberDelegate(QtWidgets.QStyledItemDelegate):
@@ -105,6 +116,10 @@ class _NumberDelegate(QtWidgets.QStyledItemDelegate):
 
     def setModelData(self, editor, _model, index):
         self.parent().take(index.row(), index.column(), editor.text())
+
+
+def _largest(values):
+    return max((abs(value) for value in values if math.isfinite(value)), default=0.0)
 
 
 def _head(column):
