@@ -1,5 +1,7 @@
 """How Bézier solids are drawn: read from pixels and from the scene."""
 
+from unittest import mock
+
 import FreeCADGui
 
 from drawn_case import DrawnCase, nodes_of, show, triangles_of
@@ -8,6 +10,7 @@ from osculate import solids
 from osculate.features import make_bezier_solid
 from osculate.gui import colors
 from osculate.gui.solid.look import MODES
+from osculate.gui.solid.solid_node import SolidNode
 
 NET = colors.SIDES[1]
 
@@ -154,7 +157,12 @@ class LookTest(DrawnCase):
         self.vobj.Slices, self.vobj.SliceDirection, self.vobj.ShowSlices = 7, "Corner 2", True
         self.vobj.Deviation = 0.25
         before = self.image("solid_saved")
-        obj = self.reloaded(self.obj)
+        drawn = []
+        with mock.patch.object(SolidNode, "show", autospec=True,
+                               side_effect=lambda *_: drawn.append(1)):
+            self.reloaded(self.obj)
+        self.assertEqual(len(drawn), 1)  # not once for each property
+        obj = self.reloaded(self.doc.Objects[0])
         vobj = obj.ViewObject
         self.assertEqual((vobj.DisplayMode, vobj.Slices, vobj.SliceDirection, vobj.ShowSlices),
                          ("Wireframe", 7, "Corner 2", True))

@@ -1,9 +1,11 @@
 """How a BezierSolid is seen: faces, edges, control net, slices; its points dragged in edit mode."""
 
+import FreeCAD
+
 from osculate.features.control_net import name_of
 from osculate.gui import numbers, preferences, resources
 from osculate.gui.editable_view import EditableView
-from osculate.gui.qt import QtGui
+from osculate.gui.qt import QtCore, QtGui
 from osculate.gui.solid import view_properties
 from osculate.gui.solid.look import MODES, SHADED_WITH_EDGES, look_of
 from osculate.gui.solid.net_node import weight_of
@@ -22,6 +24,7 @@ class SolidView(EditableView):
     _mode = SHADED_WITH_EDGES
     _handles = _edit = None  # while the object is edited
     _solid = None    # what is drawn, in E3
+    _is_late = False  # it is to be drawn when everything is loaded
 
     def attach(self, vobj):
         super().attach(vobj)
@@ -92,8 +95,28 @@ class SolidView(EditableView):
 
     # Drawing
 
+    def finishRestoring(self):
+        """FreeCAD has loaded everything: what waited for it is drawn."""
+        self._is_late = False
+        self._draw()
+
+    def _draw_late(self):
+        """Once for all the properties of a document that is loaded."""
+        if FreeCAD.isRestoring():
+            QtCore.QTimer.singleShot(0, self._draw_late)
+        elif self._is_late:
+            self.finishRestoring()
+
     def _draw(self):
-        vobj = self._object.ViewObject
+        if FreeCAD.isRestoring():
+            if not self._is_late:
+                self._is_late = True
+                self._draw_late()
+            return
+        try:
+            vobj = self._object.ViewObject
+        except ReferenceError:
+            return  # it was deleted meanwhile
         if vobj is None or not view_properties.are_complete(vobj):
             return
         solid = value_of(self._object)
