@@ -9,6 +9,7 @@ namespace py = pybind11;
 
 void bindBezier(py::module_& m);
 void bindDifferential(py::module_& m);
+void bindComb(py::module_& m);
 void bindTolerances(py::module_& m);
 void bindSide(py::module_& m);
 void bindReport(py::module_& m);

@@ -21,6 +21,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = OSCULATE_VERSION;
   python::bindBezier(m);
   python::bindDifferential(m);
+  python::bindComb(m);
   python::bindTolerances(m);
   python::bindSide(m);
   python::bindReport(m);

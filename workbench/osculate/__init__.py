@@ -21,6 +21,7 @@ from osculate._core import (
 from osculate import solids
 from osculate.analysis import VERDICTS, JoinBatch, analyze, analyze_edge, analyze_joins
 from osculate.auditing import JOIN_KINDS, AuditColumns, AuditReport, SkippedEdge, audit
+from osculate.combs import COMB_QUANTITIES, Comb, CombMark, comb
 from osculate.construction import blend, extend, join, match, nu_spline
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
@@ -28,10 +29,10 @@ from osculate.fairness import energies
 
 __all__ = [
     "AuditColumns", "AuditReport", "AuditRow", "BezierTetrahedron", "BezierTriangle",
-    "Construction", "ContactError", "ContactReport", "Curve", "DefinitionDetail", "FaceMesh",
-    "FrenetFrame", "JOIN_KINDS", "JoinBatch", "JoinReport", "JoinSide", "JoinWarning", "MAX_ORDER",
-    "OcctError", "PointGeometry", "SectionMesh", "SkippedEdge", "SolidMesh", "TolerancePreset",
-    "Tolerances", "VERDICTS", "ValidityReport", "__version__", "analyze", "analyze_edge",
-    "analyze_joins", "audit", "blend", "energies", "extend", "join", "match", "nu_spline", "solids",
-    "write_csv", "write_json",
+    "COMB_QUANTITIES", "Comb", "CombMark", "Construction", "ContactError", "ContactReport", "Curve",
+    "DefinitionDetail", "FaceMesh", "FrenetFrame", "JOIN_KINDS", "JoinBatch", "JoinReport",
+    "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry", "SectionMesh",
+    "SkippedEdge", "SolidMesh", "TolerancePreset", "Tolerances", "VERDICTS", "ValidityReport",
+    "__version__", "analyze", "analyze_edge", "analyze_joins", "audit", "blend", "comb", "energies",
+    "extend", "join", "match", "nu_spline", "solids", "write_csv", "write_json",
 ]
