@@ -46,9 +46,8 @@ struct Limit {
 };
 
 constexpr Limit kLimits[] = {
-    {"showOctant", 20.0},
-    {"showRandom", 20.0},
-    {"certifySolid/degree:3", 10.0},
+    {"combs/rational:0", 5.0}, {"combs/rational:1", 5.0},       {"showOctant", 20.0},
+    {"showRandom", 20.0},      {"certifySolid/degree:3", 10.0},
 };
 
 constexpr double kBytesPerRow = 500.0;

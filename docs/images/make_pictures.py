@@ -11,7 +11,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 
-from osculate.features import make_join_check
+from osculate.features import make_curvature_comb, make_join_check
 from osculate.gui import resources
 from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.construct.interpolated_form import InterpolatedForm
@@ -41,6 +41,7 @@ def main():
     draw_interpolate()
     draw_extend()
     draw_match()
+    draw_comb()
     draw_preferences()
 
 
@@ -273,6 +274,25 @@ def construct(document, command, kind, *names):
     FreeCADGui.runCommand(command)
     pump()
     return find_form(kind)
+
+
+def draw_comb():
+    """comb.png: the curvature of a profile of two arcs and a Bézier curve, and its panel."""
+    document = FreeCAD.newDocument("Comb")
+    wave = Part.BezierCurve()
+    wave.setPoles([V(30, 30, 0), V(30, 55, 0), V(55, 75, 0), V(95, 66, 0), V(110, 40, 0),
+                   V(150, 46, 0)])
+    for name, curve in (("Small", arc(V(0, 30, 0), 30, -90, 0)),
+                        ("Large", arc(V(0, 80, 0), 80, -130, -90)), ("Wave", wave)):
+        document.addObject("Part::Feature", name).Shape = curve.toShape()
+    document.recompute()
+    comb = make_curvature_comb(document, document.Objects)
+    comb.ViewObject.doubleClicked()
+    pump()
+    look(document, "viewTop", 1.1)
+    grab("comb")
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
 
 
 def draw_preferences():

@@ -13,6 +13,7 @@ from pathlib import Path
 FOLDER = Path(__file__).resolve().parent
 
 FIRST, SECOND, NEUTRAL = "#e8860c", "#a24bd8", "#7c8794"
+COMB = "#1c86d1"
 GOOD, UNDECIDED = "#2f9e44", "#8250c4"
 ORDER_COLORS = ["#e8590c", "#b98900", "#3f8f29", "#0f8a8a"] + 5 * ["#2468d8"]
 GAP, ERROR = "#d6293e", "#6b7280"
@@ -118,6 +119,12 @@ def command_icons():
         "match": (stroke("M3 38 C9 42 17 40 21 33", FIRST, 4.6),
                   stroke("M25 42 C29 32 34 14 45 9", SECOND, 3.4, ' stroke-dasharray="1 6.2"'),
                   stroke("M21 33 C26 23 33 13 45 9", GOOD, 4.6), dot(21, 33, 4, *NODE)),
+        "curvature-comb": (stroke("M5 43 C14 25 34 25 43 43", NEUTRAL, 4.6),
+                           *(stroke(f"M{x} {y} L{end} {tip}", COMB, 2.6)
+                             for x, y, end, tip in ((11.5, 34, 8, 18), (17.5, 30, 15, 9),
+                                                    (24, 29, 24, 6), (30.5, 30, 33, 9),
+                                                    (36.5, 34, 40, 18))),
+                           stroke("M2.5 36 C5 14 14 6 24 6 C34 6 43 14 45.5 36", COMB, 3.4)),
         "keep": pin,
     }
 

@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>The derivative of arc length of this order at the end, by the parameter, as a share of the chord; β1 is the speed</source>
-        <extracomment>a point of a surface, as the pole of a sphere: nothing is amiss</extracomment>
+        <extracomment>of CombMark, in the order of the samples</extracomment>
         <translation>Die Ableitung dieser Ordnung der Bogenlänge nach dem Parameter am Ende, als Anteil der Sehne; β1 ist die Geschwindigkeit</translation>
     </message>
     <message>
@@ -458,7 +458,7 @@
     </message>
     <message>
         <source>The Bézier solid that this one follows</source>
-        <extracomment>creation is undone.</extracomment>
+        <extracomment>Attribute of a property that only changes how an object looks: it is not recomputed.</extracomment>
         <translation>Der Bézier-Körper, dem dieser folgt</translation>
     </message>
     <message>
@@ -563,11 +563,88 @@
         <source>What is constant on a slice: the barycentric coordinate of a corner, or a coordinate in space</source>
         <translation>Was auf einem Schnitt gleich bleibt: die baryzentrische Koordinate einer Ecke oder eine Koordinate im Raum</translation>
     </message>
+    <message>
+        <source>Edges, faces, or whole objects, whose edges have the comb</source>
+        <translation>Kanten, Flächen oder ganze Objekte, deren Kanten den Kamm haben</translation>
+    </message>
+    <message>
+        <source>What the teeth show: curvature, torsion, or a rate by arc length</source>
+        <translation>Was die Zinken zeigen: Krümmung, Torsion oder eine Änderung nach der Bogenlänge</translation>
+    </message>
+    <message>
+        <source>Teeth of each Bézier segment</source>
+        <translation>Zinken je Bézier-Segment</translation>
+    </message>
+    <message>
+        <source>Whether the length of the teeth suits the size of the curves</source>
+        <translation>Ob die Länge der Zinken der Größe der Kurven folgt</translation>
+    </message>
+    <message>
+        <source>Length of a tooth in mm for a value of 1, where it is not automatic</source>
+        <translation>Länge einer Zinke in mm für den Wert 1, wo sie nicht selbsttätig gewählt wird</translation>
+    </message>
+    <message>
+        <source>Makes the teeth longer or shorter than the automatic scale does</source>
+        <translation>Macht die Zinken länger oder kürzer als der selbsttätige Maßstab</translation>
+    </message>
+    <message>
+        <source>Whether the teeth are drawn</source>
+        <translation>Ob die Zinken gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Whether the line over the teeth is drawn</source>
+        <translation>Ob die Linie über den Zinken gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whether peaks, inflections, vertices and cusps are marked</source>
+        <translation>Ob Spitzenwerte, Wendepunkte, Scheitel und Kurvenspitzen markiert werden</translation>
+    </message>
+    <message>
+        <source>Whether the view explains the comb</source>
+        <translation>Ob die Ansicht den Kamm erklärt</translation>
+    </message>
+    <message>
+        <source>Number of edges</source>
+        <translation>Zahl der Kanten</translation>
+    </message>
+    <message>
+        <source>Length of all edges</source>
+        <translation>Länge aller Kanten</translation>
+    </message>
+    <message>
+        <source>Largest curvature, 1/mm</source>
+        <translation>Größte Krümmung, 1/mm</translation>
+    </message>
+    <message>
+        <source>Smallest radius of curvature; 0 where nothing bends</source>
+        <translation>Kleinster Krümmungsradius; 0, wo nichts gekrümmt ist</translation>
+    </message>
+    <message>
+        <source>Largest magnitude of the torsion, 1/mm</source>
+        <translation>Größter Betrag der Torsion, 1/mm</translation>
+    </message>
+    <message>
+        <source>Number of inflections</source>
+        <translation>Zahl der Wendepunkte</translation>
+    </message>
+    <message>
+        <source>Number of vertices: points where the curvature is stationary</source>
+        <translation>Zahl der Scheitel: Punkte, an denen die Krümmung stationär ist</translation>
+    </message>
+    <message>
+        <source>Number of cusps</source>
+        <translation>Zahl der Kurvenspitzen</translation>
+    </message>
+    <message>
+        <source>What has no comb, in sentences</source>
+        <translation>Was keinen Kamm hat, in Sätzen</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
     <message>
         <source>No edge is linked (its object was deleted?).</source>
+        <extracomment>why some edges have no comb, in sentences</extracomment>
         <translation>Es ist keine Kante verknüpft (wurde ihr Objekt gelöscht?).</translation>
     </message>
     <message>
@@ -959,7 +1036,7 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Take the last step back</source>
-        <extracomment>index of the edge that the next click gives, None: no edge</extracomment>
+        <extracomment>what happens now is done here</extracomment>
         <translation>Den letzten Schritt zurücknehmen</translation>
     </message>
     <message>
@@ -1988,12 +2065,178 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Jacobian, mm³</source>
-        <extracomment>of the solid</extracomment>
+        <extracomment>The share of the largest magnitude up to which a Jacobian is 0.</extracomment>
         <translation>Jacobi-Determinante, mm³</translation>
     </message>
     <message>
         <source>folds where it is &lt; 0</source>
         <translation>gefaltet, wo sie &lt; 0 ist</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <extracomment>take the selection: instead of the edges (False), or as well</extracomment>
+        <translation>Krümmungskamm</translation>
+    </message>
+    <message>
+        <source>Take selection</source>
+        <translation>Auswahl nehmen</translation>
+    </message>
+    <message>
+        <source>The comb of what is selected, instead</source>
+        <translation>Der Kamm des Ausgewählten, statt dessen</translation>
+    </message>
+    <message>
+        <source>Add selection</source>
+        <translation>Auswahl hinzunehmen</translation>
+    </message>
+    <message>
+        <source>The comb of what is selected, as well</source>
+        <translation>Der Kamm auch des Ausgewählten</translation>
+    </message>
+    <message>
+        <source>Teeth of each Bézier segment</source>
+        <translation>Zinken je Bézier-Segment</translation>
+    </message>
+    <message>
+        <source>Length of the teeth; Ctrl and the mouse wheel in the 3D view do the same</source>
+        <translation>Länge der Zinken; Strg und das Mausrad in der 3D-Ansicht tun dasselbe</translation>
+    </message>
+    <message>
+        <source>follows the curves</source>
+        <translation>folgt den Kurven</translation>
+    </message>
+    <message>
+        <source>The teeth keep their share of the size of the curves when these change</source>
+        <translation>Die Zinken behalten ihren Anteil an der Größe der Kurven, wenn diese sich ändern</translation>
+    </message>
+    <message>
+        <source>on the other side</source>
+        <translation>auf der anderen Seite</translation>
+    </message>
+    <message>
+        <source>teeth</source>
+        <translation>Zinken</translation>
+    </message>
+    <message>
+        <source>envelope</source>
+        <translation>Hüllkurve</translation>
+    </message>
+    <message>
+        <source>peaks, inflections, vertices</source>
+        <translation>Spitzenwerte, Wendepunkte, Scheitel</translation>
+    </message>
+    <message>
+        <source>legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>zero everywhere</source>
+        <translation>überall null</translation>
+    </message>
+    <message>
+        <source>largest curvature</source>
+        <translation>größte Krümmung</translation>
+    </message>
+    <message>
+        <source>smallest radius</source>
+        <translation>kleinster Radius</translation>
+    </message>
+    <message>
+        <source>largest torsion</source>
+        <translation>größte Torsion</translation>
+    </message>
+    <message>
+        <source>inflections</source>
+        <translation>Wendepunkte</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Scheitel</translation>
+    </message>
+    <message>
+        <source>cusps</source>
+        <translation>Kurvenspitzen</translation>
+    </message>
+    <message>
+        <source>1 edge: {}</source>
+        <translation>1 Kante: {}</translation>
+    </message>
+    <message>
+        <source>{} edges: {}</source>
+        <translation>{} Kanten: {}</translation>
+    </message>
+    <message>
+        <source>Select edges, faces, sketches or whole objects, and press Take selection.</source>
+        <extracomment>Keys of rows: a line in the comb&apos;s colour; else what sprites.symbol takes, or None.</extracomment>
+        <translation>Wählen Sie Kanten, Flächen, Skizzen oder ganze Objekte und drücken Sie „Auswahl nehmen“.</translation>
+    </message>
+    <message>
+        <source>largest {}</source>
+        <translation>größter Wert {}</translation>
+    </message>
+    <message>
+        <source>{} teeth cut</source>
+        <translation>{} Zinken gekürzt</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>Torsion</source>
+        <translation>Torsion</translation>
+    </message>
+    <message>
+        <source>Rate of curvature</source>
+        <translation>Änderung der Krümmung</translation>
+    </message>
+    <message>
+        <source>Second rate of curvature</source>
+        <translation>Zweite Änderung der Krümmung</translation>
+    </message>
+    <message>
+        <source>Rate of torsion</source>
+        <translation>Änderung der Torsion</translation>
+    </message>
+    <message>
+        <source>inflection</source>
+        <translation>Wendepunkt</translation>
+    </message>
+    <message>
+        <source>vertex (κ stationary)</source>
+        <translation>Scheitel (κ stationär)</translation>
+    </message>
+    <message>
+        <source>cusp</source>
+        <translation>Kurvenspitze</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitzenwert</translation>
+    </message>
+    <message>
+        <source>Combs of the blend and of both edges, in one scale</source>
+        <translation>Kämme des Übergangs und beider Kanten, in einem Maßstab</translation>
     </message>
 </context>
 <context>
@@ -2128,6 +2371,20 @@ Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
     </message>
 </context>
 <context>
+    <name>Osculate_CurvatureComb</name>
+    <message>
+        <source>Curvature comb</source>
+        <extracomment>the class of the panel</extracomment>
+        <translation>Krümmungskamm</translation>
+    </message>
+    <message>
+        <source>Shows curvature, torsion or their rates along curves as a comb, which stays in the document and follows every edit.
+Select edges, faces, sketches or whole objects.</source>
+        <translation>Zeigt Krümmung, Torsion oder deren Änderung entlang von Kurven als Kamm, der im Dokument bleibt und jeder Änderung folgt.
+Wählen Sie Kanten, Flächen, Skizzen oder ganze Objekte.</translation>
+    </message>
+</context>
+<context>
     <name>Osculate_ElevateSolid</name>
     <message>
         <source>Raise degree</source>
@@ -2153,7 +2410,6 @@ Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
     <name>Osculate_Extend</name>
     <message>
         <source>Extend</source>
-        <extracomment>the class of the ConstructPanel</extracomment>
         <translation>Verlängern</translation>
     </message>
     <message>
@@ -2258,6 +2514,7 @@ Wählen Sie die Kante, die bleibt, dann die Kante, die sich ändert, oder klicke
     </message>
     <message>
         <source>Geometric continuity G0 to G4 of curves, Bézier solids</source>
+        <extracomment>notches, positive away from the user</extracomment>
         <translation>Geometrische Stetigkeit G0 bis G4 von Kurven, Bézier-Körper</translation>
     </message>
     <message>

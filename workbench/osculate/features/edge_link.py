@@ -57,9 +57,9 @@ class EdgeLink:
         try:
             shape = Part.getShape(obj, self.sub, needSubElement=True)
         except Exception as error:  # FreeCAD raises IndexError, ValueError or Part.OCCError here
-            raise LinkError(self._missing(obj)) from error
+            raise LinkError(self.missing(obj)) from error
         if shape.isNull():
-            raise LinkError(self._missing(obj))
+            raise LinkError(self.missing(obj))
         if shape.ShapeType != kind:
             raise LinkError(self._other_kind(shape.ShapeType.lower()))
         return shape
@@ -89,7 +89,8 @@ class EdgeLink:
     def _other_kind(self, kind):
         return translate("Osculate", "{} is not an edge but a {}.").format(self.label(), kind)
 
-    def _missing(self, obj):
+    def missing(self, obj):
+        """The sentence that the object has no such edge."""
         return translate("Osculate", "{} has no {}.").format(obj.Label, self.sub)
 
     def label(self):
@@ -137,6 +138,23 @@ def edges_of_object(obj, path=""):
     if not links:
         raise LinkError(translate("Osculate", "{} has no edges.").format(obj.Label))
     return links
+
+
+def edges_at(link):
+    """Every edge with a length of what a link leads to: an edge, a face, or all of an object if its
+    `sub` names no element. In global coordinates. Raises LinkError if there are none.
+    """
+    obj = link.resolve_object()
+    element = link.sub.rpartition(".")[2]
+    try:
+        shape = Part.getShape(obj, link.sub, needSubElement=bool(element))
+    except Exception as error:  # FreeCAD raises IndexError, ValueError or Part.OCCError here
+        raise LinkError(link.missing(obj)) from error
+    edges = [] if shape.isNull() else [edge for edge in shape.Edges if not edge.Degenerated]
+    if not edges:
+        raise LinkError(link.missing(obj) if element else
+                        translate("Osculate", "{} has no edges.").format(obj.Label))
+    return edges
 
 
 def resolve_all(links):

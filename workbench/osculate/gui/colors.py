@@ -9,6 +9,10 @@ MADE = "#2f9e44"
 #: Tangent, normal, binormal.
 FRAME = ("#e5484d", "#2f9e44", "#3b82f6")
 
+#: Of combs and plots: told apart by the colour-blind (after Okabe and Ito), and on light and dark.
+QUANTITIES = {"curvature": "#1c86d1", "torsion": "#d55e00", "curvature_rate": "#009e73",
+              "curvature_rate2": "#b8689a", "torsion_rate": "#c98a00"}
+
 #: Of the order of continuity; every order from 4 on has the last.
 ORDERS = ("#e8590c", "#b98900", "#3f8f29", "#0f8a8a", "#2468d8")
 GAP = "#d6293e"

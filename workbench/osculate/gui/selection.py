@@ -6,7 +6,7 @@ import Part
 
 from osculate import shapes
 from osculate.features.edge_link import (
-    EdgeLink, LinkError, VertexLink, edges_of_object, resolve_all)
+    EdgeLink, LinkError, VertexLink, edges_at, edges_of_object, resolve_all)
 from osculate.gui.qt import translate
 
 #: How finely an edge is looked at to find the end nearer to a click, and how far off it the click
@@ -30,6 +30,19 @@ def selected_links():
     for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
         for sub in selected.SubElementNames or ("",):
             links.update(dict.fromkeys(_links_of(selected.Object, _plain(sub))))
+    return list(links)
+
+
+def selected_sources():
+    """EdgeLinks to all that is selected as it is: edges, faces, or whole objects (`sub` names no
+    element). Raises LinkError for vertices and for what has no edges.
+    """
+    links = {}
+    for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
+        for sub in selected.SubElementNames or ("",):
+            link = EdgeLink.of(selected.Object, _plain(sub))
+            edges_at(link)
+            links[link] = None
     return list(links)
 
 

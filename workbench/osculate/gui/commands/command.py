@@ -53,9 +53,9 @@ class DerivedCommand(SolidCommand):
 
 
 class ConstructCommand(Command):
-    """Base of a command that opens the panel of a construction on what is selected."""
+    """Base of a command that opens a panel, which makes an object of what is selected."""
 
-    panel = None  #: the class of the ConstructPanel
+    panel = None  #: the class of the panel
 
     def Activated(self):
         show_panel(self.panel(FreeCAD.ActiveDocument)).take_selection()

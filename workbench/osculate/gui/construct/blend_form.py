@@ -47,6 +47,9 @@ class BlendForm(ConstructForm):
         self.symmetric.setToolTip(translate("Osculate", "Chosen numbers are equal at both ends"))
         self.symmetric.clicked.connect(
             lambda is_on: self.edited.emit({"Symmetric": is_on}, True))
+        self.combs = QtWidgets.QCheckBox(translate("Osculate", "Curvature comb"))
+        self.combs.setToolTip(translate("Osculate", "Combs of the blend and of both edges, in one "
+                                                    "scale"))
         self.fair = QtWidgets.QPushButton(resources.icon("fair"), translate("Osculate", "Fair"))
         self.fair.setToolTip(translate("Osculate", "Let all numbers be chosen: the fairest curve"))
         self.fair.clicked.connect(self._make_fair)
@@ -60,6 +63,7 @@ class BlendForm(ConstructForm):
         layout.addWidget(self.fairness, 0, 2)
         layout.addWidget(self.symmetric, 1, 0, 1, 2)
         layout.addWidget(self.fair, 1, 2)
+        layout.addWidget(self.combs, 2, 0, 1, 3)
         layout.setColumnStretch(2, 1)
         return grid
 

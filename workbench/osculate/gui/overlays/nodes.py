@@ -1,5 +1,6 @@
 """Coin nodes that every overlay is made of: lines with a rim, arrow heads, nothing to pick."""
 
+import numpy
 from pivy import coin
 
 _HALO = (1.0, 1.0, 1.0)
@@ -66,6 +67,31 @@ class Polyline:
         self._coordinates.point.setNum(len(points))
         self._coordinates.point.setValues(0, len(points), points)
         self._lines.numVertices.setValue(len(points))  # of 0 points Coin draws nothing
+
+
+class Polylines:
+    """Many lines of one colour through arrays of points, fast to change; `node` goes into the
+    scene. A pale rim lifts them off the model.
+    """
+
+    def __init__(self, color, width, transparency=0.0, has_rim=False):
+        self._coordinates = coin.SoCoordinate3()
+        self._lines = coin.SoLineSet()
+        line = self._coordinates, self._lines
+        parts = [*flat_color(rgb(color), transparency), line_style(width), *line]
+        if has_rim:
+            parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY),
+                                      line_style(width + _HALO_WIDTH), *line))
+        self.node = separator(*parts)
+        self.show(numpy.empty((0, 3)), ())
+
+    def show(self, points, counts):
+        """Leads through (n, 3) points, in pieces of so many points each."""
+        self._coordinates.point.setNum(len(points))
+        self._coordinates.point.setValues(0, len(points), points.tolist())
+        counts = [int(count) for count in counts] or [0]  # without a number Coin takes all points
+        self._lines.numVertices.setNum(len(counts))
+        self._lines.numVertices.setValues(0, len(counts), counts)
 
 
 def colored_polyline(points, color, width, pattern=SOLID):

@@ -49,6 +49,42 @@ def dot(color):
     return _centred(picture)
 
 
+#: Outlines of symbols in a square of -1 to 1, y down: polygons, or None for a circle.
+_SYMBOLS = {
+    "circle": None,
+    "diamond": ((0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0)),
+    "triangle": ((0.0, -1.1), (1.1, 0.9), (-1.1, 0.9)),
+    "bar": ((-0.15, -1.3), (0.15, -1.3), (0.15, 1.3), (-0.15, 1.3)),
+    "cross": ((-1.0, -1.0), (0.0, -0.35), (1.0, -1.0), (0.35, 0.0), (1.0, 1.0), (0.0, 0.35),
+              (-1.0, 1.0), (-0.35, 0.0)),
+}
+_SYMBOL_RADIUS = 5.0
+
+
+def symbol(kind, color, is_filled=True):
+    """A small "circle", "diamond", "triangle", "bar" or "cross", filled or hollow, with a rim."""
+    size = 2.0 * _SYMBOL_RADIUS + 8.0
+    picture = canvas(size, size)
+    painter = painter_on(picture)
+    draw_symbol(painter, QtCore.QPointF(size / 2.0, size / 2.0), kind, color, is_filled)
+    painter.end()
+    return _centred(picture)
+
+
+def draw_symbol(painter, centre, kind, color, is_filled):
+    """The same on any picture."""
+    outline = QtGui.QPainterPath()
+    if _SYMBOLS[kind] is None:
+        outline.addEllipse(centre, _SYMBOL_RADIUS, _SYMBOL_RADIUS)
+    else:
+        outline.addPolygon(QtGui.QPolygonF([centre + _SYMBOL_RADIUS * QtCore.QPointF(x, y)
+                                            for x, y in _SYMBOLS[kind]]))
+        outline.closeSubpath()
+    painter.strokePath(outline, QtGui.QPen(QtGui.QColor("#ffffff"), 4.4))
+    painter.fillPath(outline, QtGui.QColor(color if is_filled else "#ffffff"))
+    painter.strokePath(outline, QtGui.QPen(QtGui.QColor(color), 1.8))
+
+
 def letter(text, color, points):
     """A letter in a colour with a white outline."""
     font = QtGui.QFont("serif", points)

@@ -3,9 +3,9 @@
 import numpy
 from pivy import coin
 
+from osculate.gui.overlays.legend import Legend
 from osculate.gui.solid import meshes
-from osculate.gui.solid.legend import Legend
-from osculate.gui.solid.legend_picture import Scale
+from osculate.gui.solid.legend_picture import Scale, legend_picture
 from osculate.gui.solid.look import WIREFRAME
 from osculate.gui.solid.net_node import NetNode
 from osculate.gui.solid.slices_node import SlicesNode
@@ -36,7 +36,7 @@ class SolidNode:
         self._show_slices(solid, look, largest)
         self._show_faces(look, faces, largest)
         self._show_net(solid, look)
-        if self._needs("legend", look.legend, lambda: Legend(*self._names)):
+        if self._needs("legend", look.legend, lambda: Legend(*self._names, legend_picture)):
             self._parts["legend"].show(scale, look.text_points)
 
     def _show_edges(self, solid, look, faces):

@@ -40,7 +40,7 @@ class SessionPanel(TaskPanel):
         return self.is_busy or self.session.is_busy
 
     def model_changed(self):
-        if self.session.obj is None:
+        if self.session.was_made and self.session.obj is None:
             self.reject()  # undo or another command took the object away
         else:
             self.session.follow_model()

@@ -1,10 +1,9 @@
-"""The legend of the Jacobian's colours at the left of the 3D view; several stand side by side."""
+"""Legends at the upper left of the 3D view, which stand side by side."""
 
 import FreeCAD
 from pivy import coin
 
 from osculate.gui.overlays import nodes
-from osculate.gui.solid.legend_picture import legend_picture
 
 _CORNER = (-0.999, 0.999, 0.0)  # upper left, in the legend's own camera
 
@@ -28,7 +27,7 @@ class Legends:
 
     @classmethod
     def forget_object(cls, obj):
-        """A solid was deleted."""
+        """An object was deleted."""
         legends = cls._of_document.get(obj.Document.Name)
         for legend in list(legends) if legends else ():
             if legend.object_name == obj.Name:
@@ -59,7 +58,7 @@ class Legends:
 
 
 class _Ends:
-    """Sees solids go, and documents, whose names others may take."""
+    """Sees objects go, and documents, whose names others may take."""
 
     def slotDeletedObject(self, obj):
         Legends.forget_object(obj)
@@ -69,10 +68,16 @@ class _Ends:
 
 
 class Legend:
-    """Shows which Jacobian has which colour; `node` goes into the scene."""
+    """Explains what is drawn of an object; `node` goes into the scene.
 
-    def __init__(self, document_name, object_name):
-        self.object_name = object_name  #: of the solid
+    picture: a function of what it shows, the size of the text in points, and how many points from
+        the side it stands; it returns a node that hangs from its upper left corner, and where the
+        picture ends.
+    """
+
+    def __init__(self, document_name, object_name, picture):
+        self.object_name = object_name
+        self._make_picture = picture
         self._legends = Legends.of(document_name)
         self._picture = coin.SoSeparator()
         self._content = None
@@ -80,19 +85,25 @@ class Legend:
         place.translation = _CORNER
         self.node = nodes.without_extent(nodes.untouchable(_camera(), place, self._picture))
 
-    def show(self, scale, text_points):
-        """Shows a Scale."""
-        content = scale, text_points
+    @property
+    def is_shown(self):
+        return self in self._legends
+
+    def show(self, what, text_points):
+        """Shows what `picture` takes, in text of a size."""
+        content = what, text_points
         if content != self._content or self not in self._legends:
             self._content = content
             self._legends.place(self)
 
     def remove(self):
+        """Draws nothing until it is shown again."""
         self._legends.remove(self)
+        self._picture.removeAllChildren()
 
     def draw(self, left):
         """Draws it `left` points from the side; returns where the next one begins."""
-        picture, right = legend_picture(*self._content, left)
+        picture, right = self._make_picture(*self._content, left)
         self._picture.removeAllChildren()
         self._picture.addChild(picture)
         return right
