@@ -135,7 +135,7 @@ std::vector<double> solve(const ContactJet& from, const ContactJet& to, const Bl
                           int degree, Quadrature quadrature) {
   const int least = options.order[0] + options.order[1] + 1;
   const BlendProblem leastProblem(from, to, options, least, quadrature);
-  const std::vector<double> unknowns = solveLeastDegree(from, to, options, quadrature).unknowns;
+  std::vector<double> unknowns = solveLeastDegree(from, to, options, quadrature).unknowns;
   if (degree == least) return unknowns;
   const BlendProblem problem(from, to, options, degree, quadrature);
   return minimize(functionOf(problem), problem.startFrom(leastProblem, unknowns)).unknowns;

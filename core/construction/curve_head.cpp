@@ -33,7 +33,7 @@ BSplineCurve curveHead(const BSplineCurve& curve, CurveEnd end, int spans) {
   const int poles = reversed ? count - first : first + degree + 1;
 
   std::vector<double> flat = knotsFrom(curve, end);
-  flat.resize(static_cast<std::size_t>(poles + degree + 1));
+  flat.resize(static_cast<std::size_t>(poles) + static_cast<std::size_t>(degree) + 1);
   BSplineData head{.poles = own.poles.leftCols(poles),
                    .weights = {},
                    .knots = compress(flat),

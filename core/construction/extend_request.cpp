@@ -44,7 +44,8 @@ void checkGiven(const GivenNumbers& numbers, int order, const std::string& name,
     }
     if (!std::isfinite(*number))
       throw std::invalid_argument(name + ": every number must be finite");
-    if (k == 1 && *number <= 0.0) throw std::invalid_argument(name + ": " + first + " must be > 0");
+    if (k == 1 && *number <= 0.0)
+      throw std::invalid_argument(std::string(name).append(": ").append(first) + " must be > 0");
   }
 }
 

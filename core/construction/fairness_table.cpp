@@ -41,7 +41,8 @@ std::unique_ptr<const NodeTable<Nodes>> makeNodeTable(int degree) {
     const int j = i % kPanelNodes;
     const auto k = static_cast<std::size_t>(j % (kPanelNodes / 2));
     const double x = (j < kPanelNodes / 2 ? -1.0 : 1.0) * Rule::abscissa()[k];
-    const double t = kHalfPanel * (2 * (i / kPanelNodes) + 1 + x);
+    const int panel = i / kPanelNodes;
+    const double t = kHalfPanel * (2 * panel + 1 + x);
     table->weights[i] = kHalfPanel * Rule::weights()[k];
     for (int order = 1; order <= 3; ++order) {
       table->basis[static_cast<std::size_t>(order - 1)].row(i) =

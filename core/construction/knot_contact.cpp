@@ -16,7 +16,8 @@ std::vector<KnotContact> knotContacts(const BSplineCurve& curve) {
   }
   if (simple) return contacts;
   // the closing join, where there is one, comes last
-  const auto joins = analyzeInnerJoins(curve, {.order = std::min(degree - 1, kMaxOrder), .tolerances = {}});
+  const auto joins =
+      analyzeInnerJoins(curve, {.order = std::min(degree - 1, kMaxOrder), .tolerances = {}});
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (contacts[i].multiplicity == 1) continue;
     const JoinReport& report = joins[i].report;

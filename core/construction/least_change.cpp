@@ -32,9 +32,10 @@ Gram gramOf(const std::vector<SpanBasis>& spans, int degree, int poles) {
   constexpr double kWeightOfPoint = 1e-6;
   const BernsteinTable table = bernsteinTable(degree);
   std::vector<Eigen::VectorXd> weights;
+  weights.reserve(spans.size());
   double length = 0.0;
   for (const SpanBasis& span : spans) {
-    weights.push_back(table.weights.cwiseProduct(span.speeds(table)));
+    weights.emplace_back(table.weights.cwiseProduct(span.speeds(table)));
     length += weights.back().sum();
   }
   Gram gram{Eigen::MatrixXd::Zero(poles, poles), length};
@@ -130,6 +131,7 @@ LeastChange leastChange(const BSplineCurve& head, const std::vector<KnotContact>
                         const ChangeWindow& window, int first) {
   constexpr double kMissed = 1e-6;
   std::vector<SpanBasis> spans;
+  spans.reserve(static_cast<std::size_t>(window.spans));
   for (int span = 0; span < window.spans; ++span)
     spans.emplace_back(head, span);
   const Gram gram = gramOf(spans, head.degree(), window.poles);

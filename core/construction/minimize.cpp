@@ -50,7 +50,7 @@ Minimum minimize(const BoundedFunction& function, const std::vector<double>& sta
                  const std::vector<Minimum>& known) {
   constexpr double kTolerance = 1e-4;  // of the objective, a logarithm
   constexpr int kMostEvaluations = 400;
-  const Minimum asGiven{start, function.value(start, nullptr)};
+  Minimum asGiven{start, function.value(start, nullptr)};
   if (start.empty()) return asGiven;
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
       nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(start.size())), nlopt_destroy);

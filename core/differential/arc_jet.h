@@ -106,30 +106,28 @@ inline bool isSingular(const Jet<N>& jet) {
   return jet.c[1].squaredNorm() <= jet.error[1] * jet.error[1];
 }
 
-/// Arc-length derivatives from Taylor coefficients c_1 .. c_N of a regular end and bounds of their
-/// errors: t(s) is found from dt/ds = 1/|P'| as a series and put into P.
-template <int N, class Scalar>
-[[gnu::always_inline]] inline void setArcJet(
-    const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& c, const std::array<Scalar, N + 1>& error,
-    ArcJet<N, Scalar>& arc) {
-  using std::sqrt;
-  using Vector = Eigen::Matrix<Scalar, 3, 1>;
-  const Scalar speed = sqrt(c[1].squaredNorm());
-  const Scalar inverse = Scalar(1.0) / speed;
+namespace detail {
 
-  // the parameter is scaled to unit speed at the end: p_k = c_k / speed^k, so that p_1 is the
-  // tangent
-  std::array<Vector, N + 1> p;
-  std::array<Scalar, N + 1> epsilon;
+/// The parameter scaled to unit speed at the end, p_k = c_k / speed^k, so that p_1 is the tangent;
+/// and bounds of the errors of p_k.
+template <int N, class Scalar>
+[[gnu::always_inline]] inline void scaleToUnitSpeed(
+    const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& c, const std::array<Scalar, N + 1>& error,
+    const Scalar& inverse, std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& p,
+    std::array<Scalar, N + 1>& epsilon) {
   Scalar scale(1.0);
 #pragma GCC unroll 8
   for (std::size_t k = 1; k <= N; ++k) {
     scale *= inverse;
     p[k] = c[k] * scale;
-    epsilon[k] = scale * error[k] + Scalar(16.0 * kUnitRoundoff) * detail::normBound(p[k]);
+    epsilon[k] = scale * error[k] + Scalar(16.0 * kUnitRoundoff) * normBound(p[k]);
   }
+}
 
-  std::array<Scalar, N> g;  // |P'|^2
+/// The series g of |P'|^2.
+template <int N, class Scalar>
+[[gnu::always_inline]] inline void setSpeedSquared(
+    const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& p, std::array<Scalar, N>& g) {
   g[0] = Scalar(1.0);
 #pragma GCC unroll 8
   for (std::size_t k = 1; k < N; ++k) {
@@ -141,6 +139,26 @@ template <int N, class Scalar>
           Scalar(twice * static_cast<double>((i + 1) * (k - i + 1))) * p[i + 1].dot(p[k - i + 1]);
     }
   }
+}
+
+}  // namespace detail
+
+/// Arc-length derivatives from Taylor coefficients c_1 .. c_N of a regular end and bounds of their
+/// errors: t(s) is found from dt/ds = 1/|P'| as a series and put into P.
+template <int N, class Scalar>
+[[gnu::always_inline]] inline void setArcJet(
+    const std::array<Eigen::Matrix<Scalar, 3, 1>, N + 1>& c, const std::array<Scalar, N + 1>& error,
+    ArcJet<N, Scalar>& arc) {
+  using std::sqrt;
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  const Scalar speed = sqrt(c[1].squaredNorm());
+  const Scalar inverse = Scalar(1.0) / speed;
+
+  std::array<Vector, N + 1> p;
+  std::array<Scalar, N + 1> epsilon;
+  detail::scaleToUnitSpeed<N, Scalar>(c, error, inverse, p, epsilon);
+  std::array<Scalar, N> g;  // |P'|^2
+  detail::setSpeedSquared<N, Scalar>(p, g);
   std::array<Scalar, N> f;  // 1/|P'|
   f[0] = Scalar(1.0);
   series::power(g.data(), -0.5, f.data(), N - 1);

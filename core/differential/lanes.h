@@ -58,6 +58,7 @@ struct NumTraits<osculate::Lanes> : GenericNumTraits<double> {
   using NonInteger = osculate::Lanes;
   using Nested = osculate::Lanes;
   using Literal = osculate::Lanes;
+  // NOLINTBEGIN(readability-identifier-naming): Eigen's names
   enum {
     IsComplex = 0,
     IsInteger = 0,
@@ -67,6 +68,7 @@ struct NumTraits<osculate::Lanes> : GenericNumTraits<double> {
     AddCost = 1,
     MulCost = 1
   };
+  // NOLINTEND(readability-identifier-naming)
 };
 }  // namespace Eigen
 
