@@ -34,7 +34,9 @@ class BezierBuilder {
   }
 };
 
-BezierCurve bezierFromPoles(const double* poles, int degree) { return BezierBuilder::polynomial(poles, degree); }
+BezierCurve bezierFromPoles(const double* poles, int degree) {
+  return BezierBuilder::polynomial(poles, degree);
+}
 
 BezierCurve bezierFromArrays(BezierView arrays) { return BezierBuilder::copy(arrays); }
 
@@ -44,7 +46,8 @@ BezierCurve bezierFromHomogeneous(const double* points, int degree) {
 
 BezierCurve fromNet(const Net& net) {
   const int degree = static_cast<int>(net.cols()) - 1;
-  return net.rows() == 3 ? bezierFromPoles(net.data(), degree) : bezierFromHomogeneous(net.data(), degree);
+  return net.rows() == 3 ? bezierFromPoles(net.data(), degree)
+                         : bezierFromHomogeneous(net.data(), degree);
 }
 
 Net toNet(BezierView curve) {
@@ -65,7 +68,8 @@ Eigen::VectorXd bernstein(int degree, double t) {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(degree + 1);
   values[0] = 1.0;
   for (int n = 1; n <= degree; ++n) {
-    for (int i = n; i > 0; --i) values[i] = (1.0 - t) * values[i] + t * values[i - 1];
+    for (int i = n; i > 0; --i)
+      values[i] = (1.0 - t) * values[i] + t * values[i - 1];
     values[0] *= 1.0 - t;
   }
   return values;

@@ -28,14 +28,17 @@ constexpr double binomial(int n, int k) {
   return detail::kBinomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
 }
 
-/// Control points as columns: 3 rows for a polynomial curve, 4 (w x, w y, w z, w) for a rational one.
-using Net = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, kMaxDegree + 1>;
+/// Control points as columns: 3 rows for a polynomial curve, 4 (w x, w y, w z, w) for a rational
+/// one.
+using Net =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, kMaxDegree + 1>;
 using NetPoint = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1>;
 
 /// Between a curve and its net of control points. Weights are not checked.
 Net toNet(BezierView curve);
 BezierCurve fromNet(const Net& net);
-/// A polynomial curve from degree+1 points x y z, a rational one from degree+1 points w x, w y, w z, w.
+/// A polynomial curve from degree+1 points x y z, a rational one from degree+1 points w x, w y, w
+/// z, w.
 BezierCurve bezierFromPoles(const double* poles, int degree);
 /// The same bits, without a check.
 BezierCurve bezierFromArrays(BezierView arrays);
@@ -47,8 +50,9 @@ Vector3 project(const NetPoint& point);
 /// Values of the Bernstein polynomials B_0^n .. B_n^n at t.
 Eigen::VectorXd bernstein(int degree, double t);
 
-/// The Cartesian derivatives of a rational curve from the homogeneous ones (A, w)^(k), k = 0..count:
-/// P^(k) = (A^(k) - sum_{j>=1} C(k,j) w^(j) P^(k-j)) / w (Piegl-Tiller, The NURBS Book, eq. 4.8).
+/// The Cartesian derivatives of a rational curve from the homogeneous ones (A, w)^(k), k =
+/// 0..count: P^(k) = (A^(k) - sum_{j>=1} C(k,j) w^(j) P^(k-j)) / w (Piegl-Tiller, The NURBS Book,
+/// eq. 4.8).
 std::vector<Vector3> projectDerivatives(const std::vector<NetPoint>& homogeneous);
 
 }  // namespace osculate

@@ -25,7 +25,8 @@ void splitNet(Net& net, Net& rest, double t) {
 
 NetPoint evaluateNet(Net net, double t) {
   for (Eigen::Index n = net.cols() - 1; n > 0; --n) {
-    for (Eigen::Index i = 0; i < n; ++i) net.col(i) = (1.0 - t) * net.col(i) + t * net.col(i + 1);
+    for (Eigen::Index i = 0; i < n; ++i)
+      net.col(i) = (1.0 - t) * net.col(i) + t * net.col(i + 1);
   }
   return net.col(0);
 }
@@ -51,7 +52,8 @@ BezierCurve::BezierCurve(std::span<const Vector3> poles, std::span<const double>
     throw std::invalid_argument("poles: a Bézier curve has 2 to " + std::to_string(kMaxDegree + 1) +
                                 " poles (degree 1 to 25), got " + std::to_string(poles.size()));
   }
-  for (const Vector3& pole : poles) checkFinite(pole);
+  for (const Vector3& pole : poles)
+    checkFinite(pole);
   checkWeights(weights, poles.size());
   degree_ = static_cast<int>(poles.size()) - 1;
   rational_ = !weights.empty();
@@ -65,7 +67,8 @@ namespace {
 
 std::vector<Vector3> polesOf(BezierView view) {
   std::vector<Vector3> poles;
-  for (int i = 0; i <= view.degree; ++i) poles.emplace_back(view.pole(i));
+  for (int i = 0; i <= view.degree; ++i)
+    poles.emplace_back(view.pole(i));
   return poles;
 }
 
@@ -78,7 +81,9 @@ std::span<const double> weightsOf(BezierView view) {
 
 BezierCurve::BezierCurve(BezierView view) : BezierCurve(polesOf(view), weightsOf(view)) {}
 
-void BezierCurve::setPole(int i, const Vector3& pole) { Eigen::Map<Vector3>(poles_.data() + 3 * i) = pole; }
+void BezierCurve::setPole(int i, const Vector3& pole) {
+  Eigen::Map<Vector3>(poles_.data() + 3 * i) = pole;
+}
 
 Vector3 BezierCurve::evaluate(double t) const { return project(evaluateNet(toNet(view()), t)); }
 
@@ -107,8 +112,9 @@ BezierCurve BezierCurve::reversed() const {
 
 BezierCurve BezierCurve::elevated(int times) const {
   if (times < 0 || degree_ + times > kMaxDegree) {
-    throw std::invalid_argument("times: the degree " + std::to_string(degree_) + " can be raised by 0 to " +
-                                std::to_string(kMaxDegree - degree_) + ", got " + std::to_string(times));
+    throw std::invalid_argument("times: the degree " + std::to_string(degree_) +
+                                " can be raised by 0 to " + std::to_string(kMaxDegree - degree_) +
+                                ", got " + std::to_string(times));
   }
   Net net = toNet(view());
   for (int step = 0; step < times; ++step) {
@@ -141,8 +147,10 @@ std::pair<BezierCurve, BezierCurve> BezierCurve::split(double t) const {
 }
 
 BezierCurve BezierCurve::segment(double a, double b) const {
-  if (!std::isfinite(a) || !std::isfinite(b)) throw std::invalid_argument("segment: a and b must be finite");
-  if (a == b) throw std::invalid_argument("segment: a and b must differ, both are " + std::to_string(a));
+  if (!std::isfinite(a) || !std::isfinite(b))
+    throw std::invalid_argument("segment: a and b must be finite");
+  if (a == b)
+    throw std::invalid_argument("segment: a and b must differ, both are " + std::to_string(a));
   if (a > b) return segment(b, a).reversed();
   Net part = toNet(view());
   Net rest;
@@ -159,7 +167,8 @@ BezierCurve BezierCurve::segment(double a, double b) const {
 
 BezierCurve BezierCurve::transformed(const Eigen::Affine3d& map) const {
   std::vector<Vector3> moved = polesOf(view());
-  for (Vector3& pole : moved) pole = map * pole;
+  for (Vector3& pole : moved)
+    pole = map * pole;
   return BezierCurve(moved, weightsOf(view()));
 }
 

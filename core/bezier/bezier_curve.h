@@ -54,7 +54,8 @@ class BezierCurve {
   /// The parts [0, t] and [t, 1], each over [0, 1]. Throws std::invalid_argument for t that is not
   /// finite, and where a rational curve is left so far that a weight of a part is not > 0.
   std::pair<BezierCurve, BezierCurve> split(double t) const;
-  /// The part [a, b] over [0, 1]; a > b reverses, a = b throws std::invalid_argument, as split does.
+  /// The part [a, b] over [0, 1]; a > b reverses, a = b throws std::invalid_argument, as split
+  /// does.
   BezierCurve segment(double a, double b) const;
   BezierCurve transformed(const Eigen::Affine3d& map) const;
 

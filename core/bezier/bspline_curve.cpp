@@ -14,13 +14,15 @@ namespace {
 
 void checkData(const BSplineData& data) {
   checkKnots(data.knots, data.degree, static_cast<int>(data.poles.cols()), data.periodic);
-  for (Eigen::Index i = 0; i < data.poles.cols(); ++i) checkFinite(data.poles.col(i));
+  for (Eigen::Index i = 0; i < data.poles.cols(); ++i)
+    checkFinite(data.poles.col(i));
   checkWeights(data.weights, static_cast<std::size_t>(data.poles.cols()));
   if (!(std::isfinite(data.poleError) && data.poleError >= 0.0)) {
     throw std::invalid_argument("pole error: must be finite and >= 0");
   }
   if ((data.poles.colwise() - data.poles.col(0)).isZero(0.0)) {
-    throw std::invalid_argument("poles: all are one point; a curve of zero length has no direction");
+    throw std::invalid_argument(
+        "poles: all are one point; a curve of zero length has no direction");
   }
 }
 
@@ -29,7 +31,8 @@ std::vector<int> positiveSpans(const std::vector<double>& flat, int degree) {
   std::vector<int> spans;
   const int end = static_cast<int>(flat.size()) - degree - 1;
   for (int i = degree; i < end; ++i) {
-    if (flat[static_cast<std::size_t>(i)] < flat[static_cast<std::size_t>(i) + 1]) spans.push_back(i);
+    if (flat[static_cast<std::size_t>(i)] < flat[static_cast<std::size_t>(i) + 1])
+      spans.push_back(i);
   }
   return spans;
 }
@@ -53,14 +56,19 @@ std::vector<double> periodicFlatKnots(const BSplineData& data, int turns) {
 
 BSplineData unrollPeriods(const BSplineData& data, int turns) {
   const std::vector<double> flat = periodicFlatKnots(data, turns);
-  BSplineData open{.poles = {}, .weights = {}, .knots = compress(flat), .degree = data.degree,
-                   .periodic = false, .poleError = data.poleError};
+  BSplineData open{.poles = {},
+                   .weights = {},
+                   .knots = compress(flat),
+                   .degree = data.degree,
+                   .periodic = false,
+                   .poleError = data.poleError};
   const auto count = static_cast<Eigen::Index>(flat.size()) - data.degree - 1;
   const Eigen::Index own = data.poles.cols();
   open.poles.resize(3, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     open.poles.col(i) = data.poles.col(i % own);
-    if (!data.weights.empty()) open.weights.push_back(data.weights[static_cast<std::size_t>(i % own)]);
+    if (!data.weights.empty())
+      open.weights.push_back(data.weights[static_cast<std::size_t>(i % own)]);
   }
   return open;
 }
@@ -90,8 +98,9 @@ BSplineCurve::BSplineCurve(BSplineData data) {
   const int degree = state->data.degree;
   state->spans = positiveSpans(state->flat, degree);
   if (state->spans.empty()) {
-    throw std::invalid_argument("knots: no span of positive length between the knots " + std::to_string(degree + 1) +
-                                " and " + std::to_string(state->poleCount() + 1) + " of the flat sequence");
+    throw std::invalid_argument("knots: no span of positive length between the knots " +
+                                std::to_string(degree + 1) + " and " +
+                                std::to_string(state->poleCount() + 1) + " of the flat sequence");
   }
   state->first = state->knot(degree);
   state->last = state->knot(state->poleCount());
@@ -104,10 +113,14 @@ BSplineCurve::BSplineCurve(BSplineData data) {
 BSplineCurve::BSplineCurve(const BezierCurve& curve, double first, double last, double poleError)
     : BSplineCurve([&] {
         const int n = curve.degree();
-        BSplineData data{.poles = Eigen::Map<const Poles>(curve.view().poles, 3, n + 1), .weights = {},
-                         .knots = {{first, last}, {n + 1, n + 1}}, .degree = n, .periodic = false,
+        BSplineData data{.poles = Eigen::Map<const Poles>(curve.view().poles, 3, n + 1),
+                         .weights = {},
+                         .knots = {{first, last}, {n + 1, n + 1}},
+                         .degree = n,
+                         .periodic = false,
                          .poleError = poleError};
-        for (int i = 0; curve.isRational() && i <= n; ++i) data.weights.push_back(curve.weight(i));
+        for (int i = 0; curve.isRational() && i <= n; ++i)
+          data.weights.push_back(curve.weight(i));
         return data;
       }()) {}
 

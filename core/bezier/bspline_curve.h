@@ -16,11 +16,11 @@ enum class Side : unsigned char { kLeft, kRight };
 
 /// One Bézier segment of a B-spline.
 struct BezierSegment {
-  BezierCurve curve;   ///< over [0, 1]
-  double first;        ///< the parameter interval it has on the B-spline
+  BezierCurve curve;  ///< over [0, 1]
+  double first;       ///< the parameter interval it has on the B-spline
   double last;
-  double poleError;    ///< bound of the error of its poles in mm: rounding of the extraction and the
-                       ///< error of the curve it was taken from
+  double poleError;  ///< bound of the error of its poles in mm: rounding of the extraction and the
+                     ///< error of the curve it was taken from
   double length() const { return last - first; }
 };
 
@@ -42,7 +42,7 @@ struct BSplineData {
   KnotVector knots;
   int degree = 0;
   bool periodic = false;
-  double poleError = 0.0;       ///< what is known of the error of the poles beyond rounding, in mm
+  double poleError = 0.0;  ///< what is known of the error of the poles beyond rounding, in mm
 };
 
 /// A B-spline curve. Copies share their data, which never changes: safe between threads.
@@ -71,7 +71,8 @@ class BSplineCurve {
 
   /// Spans of positive length, numbered from 0 in the direction of the parameter.
   int spanCount() const;
-  /// The span that contains t; at a knot the one on that side. t outside the range takes the end span.
+  /// The span that contains t; at a knot the one on that side. t outside the range takes the end
+  /// span.
   int spanAt(double t, Side side = Side::kRight) const;
   /// The Bézier segment of one span, by blossoming: the cost does not depend on the other spans.
   BezierSegment segment(int span) const;
@@ -80,7 +81,11 @@ class BSplineCurve {
   /// The first or last segment whose poles are not all one point.
   BezierSegment endSegment(CurveEnd end) const;
   /// The knots inside the range, with the number of the span that begins there.
-  struct InnerKnot { double parameter; int multiplicity; int spanAfter; };
+  struct InnerKnot {
+    double parameter;
+    int multiplicity;
+    int spanAfter;
+  };
   std::vector<InnerKnot> innerKnots() const;
 
   /// Derivatives 0..count at t by the curve's own parameter.
@@ -90,8 +95,8 @@ class BSplineCurve {
   BSplineCurve reversed() const;
   BSplineCurve elevated(int times = 1) const;
   std::pair<BSplineCurve, BSplineCurve> split(double t) const;
-  /// The part [a, b], a < b, clamped; a periodic curve may be crossed at its seam (b up to a + period).
-  /// Poles that stand over knots inside the part only keep their bits.
+  /// The part [a, b], a < b, clamped; a periodic curve may be crossed at its seam (b up to a +
+  /// period). Poles that stand over knots inside the part only keep their bits.
   BSplineCurve trimmed(double a, double b) const;
   BSplineCurve transformed(const Eigen::Affine3d& map) const;
   /// The same curve with knots mapped affinely on [first, last].

@@ -21,7 +21,8 @@ struct LocalKnots {
   double b() const { return at(degree + 1); }
 };
 
-/// From f(u_{j+1} .. u_{j+p}) to f(a^{p-j}, u_{p+1} .. u_{p+j}). Returns the passes that did something.
+/// From f(u_{j+1} .. u_{j+p}) to f(a^{p-j}, u_{p+1} .. u_{p+j}). Returns the passes that did
+/// something.
 template <class Net>
 int clampLeft(Net& q, LocalKnots knots) {
   const int p = knots.degree;
@@ -67,7 +68,8 @@ double roundingBound(int passes, double largestNorm) {
 /// The same for numerators w p and weights w: they round as far as the heaviest does and are then
 /// divided by their own weight; the multiplication and the division by it round once more.
 double rationalRoundingBound(int passes, double largestNorm, double heaviest, double lightest) {
-  return roundingBound(1, largestNorm) + 2.0 * heaviest / lightest * roundingBound(passes, largestNorm);
+  return roundingBound(1, largestNorm) +
+         2.0 * heaviest / lightest * roundingBound(passes, largestNorm);
 }
 
 BezierSegment extractPolynomial(const BSplineCurve::State& state, int span, LocalKnots knots) {
@@ -103,9 +105,11 @@ BezierSegment extractRational(const BSplineCurve::State& state, int span, LocalK
     return {bezierFromArrays(own), knots.a(), knots.b(), state.data.poleError};
   }
   double lightest = heaviest;
-  for (int j = 0; j <= p; ++j) lightest = std::min(lightest, q(3, j));
+  for (int j = 0; j <= p; ++j)
+    lightest = std::min(lightest, q(3, j));
   return {bezierFromHomogeneous(q.data(), p), knots.a(), knots.b(),
-          state.data.poleError + rationalRoundingBound(left + right, std::sqrt(largest), heaviest, lightest)};
+          state.data.poleError +
+              rationalRoundingBound(left + right, std::sqrt(largest), heaviest, lightest)};
 }
 
 }  // namespace
@@ -127,10 +131,12 @@ SpanExtraction extractionOf(const BSplineCurve::State& state, int flatSpan) {
   return result;
 }
 
-NetPoint blossom(const BSplineCurve::State& state, int flatSpan, std::span<const double> arguments) {
+NetPoint blossom(const BSplineCurve::State& state, int flatSpan,
+                 std::span<const double> arguments) {
   const int p = state.data.degree;
   Net q(state.weights() == nullptr ? 3 : 4, p + 1);
-  for (int j = 0; j <= p; ++j) q.col(j) = state.netPole(flatSpan - p + j);
+  for (int j = 0; j <= p; ++j)
+    q.col(j) = state.netPole(flatSpan - p + j);
   for (int r = 1; r <= p; ++r) {
     const double x = arguments[static_cast<std::size_t>(r) - 1];
     for (int j = p; j >= r; --j) {

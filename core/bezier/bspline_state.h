@@ -10,10 +10,10 @@ namespace osculate {
 
 struct BSplineCurve::State {
   BSplineData data;
-  std::vector<double> flat;        ///< flat knots; of a periodic curve continued on both sides
-  Poles unrolled;                  ///< poles of a periodic curve repeated to fit `flat`, else empty
+  std::vector<double> flat;  ///< flat knots; of a periodic curve continued on both sides
+  Poles unrolled;            ///< poles of a periodic curve repeated to fit `flat`, else empty
   std::vector<double> unrolledWeights;
-  std::vector<int> spans;          ///< indices i with flat[i] < flat[i+1] inside the range
+  std::vector<int> spans;  ///< indices i with flat[i] < flat[i+1] inside the range
   double first = 0.0;
   double last = 0.0;
   Vector3 ends[2];

@@ -16,7 +16,8 @@ int orderOf(const osculate::BezierCurve& arriving, const osculate::BezierCurve& 
 
 osculate::BezierCurve withFirstLegDoubled(const osculate::BezierCurve& curve) {
   std::vector<osculate::Vector3> poles;
-  for (int i = 0; i <= curve.degree(); ++i) poles.emplace_back(curve.pole(i));
+  for (int i = 0; i <= curve.degree(); ++i)
+    poles.emplace_back(curve.pole(i));
   poles[1] = 2.0 * poles[1] - poles[0];
   return osculate::BezierCurve(poles);
 }
