@@ -55,9 +55,9 @@ class DrawnCase(GuiCase):
     def difference(first, second):
         """The largest difference of a channel of two QImages, 0 to 255."""
         form = QtGui.QImage.Format.Format_RGBA8888
-        first, second = (numpy.frombuffer(image.convertToFormat(form).constBits(), numpy.uint8)
-                         for image in (first, second))
-        return int(abs(first.astype(int) - second).max())
+        images = [image.convertToFormat(form) for image in (first, second)]  # that own the bits
+        bits = [numpy.frombuffer(image.constBits(), numpy.uint8).astype(int) for image in images]
+        return int(abs(bits[0] - bits[1]).max())
 
     def reloaded(self, obj):
         """The object after its document was saved, closed and opened."""
