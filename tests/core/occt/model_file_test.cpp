@@ -18,6 +18,7 @@
 #include "occt/audit_shapes.h"
 #include "osculate/occt/occt_error.h"
 #include "support/errors.h"
+#include "support/leaks.h"
 
 namespace osculate::test {
 namespace {
@@ -70,6 +71,7 @@ TEST_F(ModelFile, ReadsTheThreeFormats) {
 }
 
 TEST_F(ModelFile, ReadsWhatItWrote) {
+  const IgnoredLeaks ofTheWriter;
   const TopoDS_Shape chain = chainOf(3);
   for (const char* name : {"a.step", "a.STP", "a.igs", "a.iges", "a.brep", "a.Brp"}) {
     writeModel(chain, path(name));
@@ -142,6 +144,7 @@ TEST_F(ModelFile, FormatsByName) {
 }
 
 TEST_F(ModelFile, CannotWriteEverywhere) {
+  const IgnoredLeaks ofTheWriter;
   for (const char* name : {"none/a.step", "none/a.igs", "none/a.brep"})
     EXPECT_THROW(writeModel(chainOf(1), path(name)), OcctError) << name;
 }

@@ -18,15 +18,13 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
-#endif
 
 #include "osculate/bezier/tensor_patch.h"
 #include "osculate/occt/occt_error.h"
 #include "osculate/solid/measure.h"
 #include "osculate/solid/primitives.h"
 #include "support/errors.h"
+#include "support/leaks.h"
 #include "support/simplex_samples.h"
 
 namespace osculate::test {
@@ -122,9 +120,7 @@ TopoDS_Shape throughStep(const TopoDS_Shape& shape) {
 }
 
 TEST(SolidShape, StepKeepsItExact) {
-#ifdef __SANITIZE_ADDRESS__
-  const __lsan::ScopedDisabler leaksOfOpenCascadesWriter;
-#endif
+  const IgnoredLeaks ofTheWriter;
   const double radius = 10.0;
   const TopoDS_Shape back = throughStep(solidFromTetrahedron(ballOctant(radius)));
   EXPECT_TRUE(BRepCheck_Analyzer(back).IsValid());
