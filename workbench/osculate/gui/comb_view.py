@@ -7,7 +7,7 @@ from osculate.comb_drawing import size_of
 from osculate.features.curvature_comb import CurvatureComb, scale_of
 from osculate.gui import colors, comb_words, preferences, resources
 from osculate.gui.comb.comb_legend import LINE, CombLegend, legend_picture
-from osculate.gui.editable_view import EditableView
+from osculate.gui.editable_view import OneModeView
 from osculate.gui.observers import ModelObserver
 from osculate.gui.overlays import nodes
 from osculate.gui.overlays.comb_nodes import (
@@ -15,17 +15,18 @@ from osculate.gui.overlays.comb_nodes import (
 from osculate.gui.overlays.legend import Legend
 from osculate.gui.qt import translate
 
-_MODE = "Comb"
 _DRAWN_AFTER = ("EdgeCount", "Status", "Quantity", "AutoScale", "Scale", "Factor", "Teeth",
                 "Envelope", "Marks", "Legend")
 
 
-class CurvatureCombView(EditableView):
+class CurvatureCombView(OneModeView):
     """View provider proxy of a CurvatureComb; documents name this class.
 
     It follows the model while an edge is edited, before anything is recomputed; a hidden one does
     nothing until it is shown.
     """
+
+    mode = "Comb"
 
     def attach(self, vobj):
         super().attach(vobj)
@@ -35,17 +36,8 @@ class CurvatureCombView(EditableView):
         self._legend = Legend(self._document, vobj.Object.Name, legend_picture)
         vobj.addDisplayMode(nodes.separator(
             nodes.separator(self._to_world, nodes.untouchable(self._comb.node)),
-            self._legend.node), _MODE)
+            self._legend.node), self.mode)
         self._observer = ModelObserver(self._follow, self._document_closed)
-
-    def getDisplayModes(self, _vobj):
-        return [_MODE]
-
-    def getDefaultDisplayMode(self):
-        return _MODE
-
-    def setDisplayMode(self, mode):
-        return mode
 
     def getIcon(self):
         return resources.icon_path("curvature-comb")

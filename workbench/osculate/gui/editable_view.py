@@ -54,3 +54,18 @@ class EditableView:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+class OneModeView(EditableView):
+    """Base of those that are drawn in one way only."""
+
+    mode = ""  #: its name, which documents keep
+
+    def getDisplayModes(self, _vobj):
+        return [self.mode]
+
+    def getDefaultDisplayMode(self):
+        return self.mode
+
+    def setDisplayMode(self, mode):
+        return mode

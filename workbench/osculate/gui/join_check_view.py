@@ -5,34 +5,25 @@ import json
 from pivy import coin
 
 from osculate.gui import preferences, resources
-from osculate.gui.editable_view import EditableView
+from osculate.gui.editable_view import OneModeView
 from osculate.gui.overlays import nodes
 from osculate.gui.overlays.join_overlay import label_node
 from osculate.gui.verdict import ERROR_LOOK, look_of
 
-_MODE = "Label"
 
-
-class JoinCheckView(EditableView):
+class JoinCheckView(OneModeView):
     """View provider proxy of a JoinCheck.
 
     Documents name this class: keep module and name.
     """
 
+    mode = "Label"
+
     def attach(self, vobj):
         super().attach(vobj)
         self._root = coin.SoSeparator()
-        vobj.addDisplayMode(self._root, _MODE)
+        vobj.addDisplayMode(self._root, self.mode)
         self._show_label()
-
-    def getDisplayModes(self, _vobj):
-        return [_MODE]
-
-    def getDefaultDisplayMode(self):
-        return _MODE
-
-    def setDisplayMode(self, mode):
-        return mode
 
     def getIcon(self):
         return resources.icon_path(_look(self._object).icon)

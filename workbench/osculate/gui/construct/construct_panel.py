@@ -11,11 +11,12 @@ from osculate.gui.construct.marks import CurveMark, edge_marks, join_marks, stat
 from osculate.gui.construct.session import Session
 from osculate.gui.construct.step_keys import StepKeys
 from osculate.gui.observers import ModelObserver, SelectionObserver
-from osculate.gui.qt import QtWidgets, button_bits, translate
+from osculate.gui.panel.transaction_answers import TransactionAnswers
+from osculate.gui.qt import translate
 from osculate.gui.selection import selected_links
 
 
-class ConstructPanel:
+class ConstructPanel(TransactionAnswers):
     """What FreeCADGui.Control shows while a curve is constructed or edited.
 
     A subclass says what it makes and from how many edges. OK keeps all as one step of undo, Cancel
@@ -283,24 +284,6 @@ class ConstructPanel:
         if observers:
             self.handles.remove(document_closes)
         return bool(observers)
-
-    # What FreeCAD asks of a task panel:
-
-    def getStandardButtons(self):
-        buttons = QtWidgets.QDialogButtonBox.StandardButton
-        return button_bits(buttons.Ok, buttons.Cancel)
-
-    def isAllowedAlterDocument(self):
-        return False  # another command's transaction would end this one
-
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def needsFullSpace(self):
-        return True
 
 
 def _link_or_none(value):

@@ -1,51 +1,41 @@
 """The handles of a construction in the 3D views of its document: drawn, hovered, dragged."""
 
-import FreeCADGui
-
+from osculate.gui.construct.drag_target import DragTarget
 from osculate.gui.construct.handle import HandleNode
-from osculate.gui.construct.handle_mouse import HandleMouse
 from osculate.gui.overlays import nodes
 from osculate.gui.overlays.scene import SceneOverlay
 from osculate.gui.overlays.screen import Screen
-from osculate.gui.qt import QtCore, Signal
+from osculate.gui.qt import Signal
 
 
-class HandleSet(QtCore.QObject):
-    """Shows Handles and tells where the user drags them."""
+class HandleSet(DragTarget):
+    """Shows Handles and tells where the user drags them.
+
+    `hot` is the key of a handle; held is (key, distance from the mouse to the knob).
+    """
 
     moved = Signal(object, float)  #: key of a handle, its new distance in mm; while it is dragged
-    let_loose = Signal()           #: a drag ended
-    taken_back = Signal()          #: a drag was broken off
     doubled = Signal(object)       #: key of a handle that was double-clicked
 
     def __init__(self, text_points):
         super().__init__()
         self._text_points = text_points
         self._overlay = SceneOverlay()
-        self._mice = {}       # 3D view -> HandleMouse
         self._handles = []
         self._extras = ()
         self._drawn, self._nodes = None, {}  # which handles there are; key -> HandleNode
-        self._document = None
-        self.hot = None       #: key of the handle at the mouse
-        self._held = None     #: (key, distance from the mouse to the knob) of the dragged one
-
-    @property
-    def is_dragging(self):
-        return self._held is not None
 
     def show(self, document_name, handles, *extras):
         """Shows Handles, and nodes that belong to them, in all views of a document."""
         self._document, self._handles, self._extras = document_name, list(handles), extras
-        self._watch_new_views()
+        if self._watch_new_views():
+            self._drawn = None  # into the new view, too
         self._draw()
 
     def remove(self, document_closes=False):
         """Leaves no trace in any view."""
-        for mouse in self._mice.values():
-            mouse.stop()
-        self._mice = {}
-        self._handles, self.hot, self._held = [], None, None
+        self._leave_views()
+        self._handles = []
         self._drawn, self._nodes = None, {}
         if document_closes:
             self._overlay.forget()
@@ -81,22 +71,6 @@ class HandleSet(QtCore.QObject):
         if place is not None:
             self.moved.emit(key, place + offset)
 
-    def let_go(self):
-        """The mouse was released; True if a handle was held."""
-        if self._held is None:
-            return False
-        self._held = None
-        self.let_loose.emit()
-        return True
-
-    def break_off(self):
-        """Escape was pressed; True if a handle was held."""
-        if self._held is None:
-            return False
-        self._held = None
-        self.taken_back.emit()
-        return True
-
     def double_click(self, view, pixel, density):
         key = self._key_under(view, pixel, density)
         if key is not None:
@@ -115,13 +89,6 @@ class HandleSet(QtCore.QObject):
     @staticmethod
     def _place(view, handle, pixel):
         return Screen(view).along(handle.origin, handle.direction, pixel)
-
-    def _watch_new_views(self):
-        document = FreeCADGui.getDocument(self._document)
-        for view in document.mdiViewsOfType("Gui::View3DInventor"):
-            if view not in self._mice:
-                self._mice[view] = HandleMouse(view, self)
-                self._drawn = None  # into the new view, too
 
     def _draw(self):
         """Moves what is drawn, or draws anew where there are other handles or extras.

@@ -7,32 +7,23 @@ from osculate.features.bezier_solid import value_in_document
 from osculate.features.edge_link import LinkError
 from osculate.features.solid_brep import source_of
 from osculate.gui import preferences, resources
-from osculate.gui.editable_view import EditableView
+from osculate.gui.editable_view import OneModeView
 from osculate.gui.qt import QtCore
 from osculate.gui.solid.contact_node import contact_node
 
-_MODE = "Contact"
 
-
-class ContactView(EditableView):
+class ContactView(OneModeView):
     """View provider proxy of a SolidContact; documents name this class."""
 
     _shown = None  # the report that is drawn
 
+    mode = "Contact"
+
     def attach(self, vobj):
         super().attach(vobj)
         self._root = coin.SoSeparator()
-        vobj.addDisplayMode(self._root, _MODE)
+        vobj.addDisplayMode(self._root, self.mode)
         self._draw_later()
-
-    def getDisplayModes(self, _vobj):
-        return [_MODE]
-
-    def getDefaultDisplayMode(self):
-        return _MODE
-
-    def setDisplayMode(self, mode):
-        return mode
 
     def getIcon(self):
         return resources.icon_path("solid-contact")

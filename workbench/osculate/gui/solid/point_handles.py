@@ -2,42 +2,32 @@
 
 import math
 
-import FreeCADGui
 from pivy import coin
 
-from osculate.gui.construct.handle_mouse import HandleMouse
+from osculate.gui.construct.drag_target import DragTarget
 from osculate.gui.overlays import nodes, sprites
 from osculate.gui.overlays.screen import Screen
-from osculate.gui.qt import QtCore, Signal
+from osculate.gui.qt import Signal
 
 _REACH = 12.0  # pixels around a point in which the mouse takes it
 
 
-class PointHandles(QtCore.QObject):
+class PointHandles(DragTarget):
     """Tells where the user drags the points; `node` goes into the scene, where they are drawn.
 
-    HandleMouse brings the mouse of each view; pixels are those of the device.
+    Pixels are those of the device. `hot` is the number of a point; held is (number, offset in
+    pixels from the mouse to the point).
     """
 
     moved = Signal(int, object)  #: number of a point, its new place (x, y, z); while it is dragged
-    let_loose = Signal()         #: a drag ended
-    taken_back = Signal()        #: a drag was broken off
     hovered = Signal()           #: another point, or none, is at the mouse
 
     def __init__(self, document_name):
-        super().__init__()
-        self._document = document_name
-        self._mice = {}      # 3D view -> HandleMouse
+        super().__init__(document_name)
         self._points = []
         self._place = coin.SoTranslation()
         self._mark = coin.SoSeparator()
         self.node = nodes.without_extent(nodes.untouchable(self._place, self._mark))
-        self.hot = None      #: number of the point at the mouse
-        self._held = None    # (number, offset in pixels from the mouse to the point) of the dragged
-
-    @property
-    def is_dragging(self):
-        return self._held is not None
 
     def show(self, points, color, caption):
         """Follows the points; `caption` of the hot one, as caption(number) says."""
@@ -54,10 +44,8 @@ class PointHandles(QtCore.QObject):
 
     def remove(self):
         """Leaves no trace in any view."""
-        for mouse in self._mice.values():
-            mouse.stop()
-        self._mice = {}
-        self._points, self.hot, self._held = [], None, None
+        self._leave_views()
+        self._points = []
         self._mark.removeAllChildren()
 
     # What HandleMouse tells
@@ -94,22 +82,6 @@ class PointHandles(QtCore.QObject):
             own = to_world.inverse().multVecMatrix(coin.SbVec3f(*place))
             self.moved.emit(number, tuple(own))
 
-    def let_go(self):
-        """The mouse was released; True if a point was held."""
-        if self._held is None:
-            return False
-        self._held = None
-        self.let_loose.emit()
-        return True
-
-    def break_off(self):
-        """Escape was pressed; True if a point was held."""
-        if self._held is None:
-            return False
-        self._held = None
-        self.taken_back.emit()
-        return True
-
     def double_click(self, _view, _pixel, _density):
         return False
 
@@ -141,9 +113,3 @@ class PointHandles(QtCore.QObject):
         matrix = coin.SoGetMatrixAction(coin.SbViewportRegion())
         matrix.apply(path)
         return matrix.getMatrix()
-
-    def _watch_new_views(self):
-        document = FreeCADGui.getDocument(self._document)
-        for view in document.mdiViewsOfType("Gui::View3DInventor"):
-            if view not in self._mice:
-                self._mice[view] = HandleMouse(view, self)

@@ -1,12 +1,12 @@
-"""What FreeCAD asks of a task panel, and the end of one: for panels in one transaction."""
+"""The end of a task panel: for panels in one transaction."""
 
 import FreeCADGui
 
 from osculate.gui.observers import ModelObserver
-from osculate.gui.qt import QtWidgets, button_bits
+from osculate.gui.panel.transaction_answers import TransactionAnswers
 
 
-class TaskPanel:
+class TaskPanel(TransactionAnswers):
     """Base of panels of Bézier solids. OK keeps all as one step of undo, Cancel leaves the document
     as it was; a subclass says what that takes (`keep`, `take_back`) and begins the transaction.
     """
@@ -91,21 +91,3 @@ class TaskPanel:
         for observer in observers:
             observer.stop()
         return bool(observers)
-
-    # What FreeCAD asks of a task panel
-
-    def getStandardButtons(self):
-        buttons = QtWidgets.QDialogButtonBox.StandardButton
-        return button_bits(buttons.Ok, buttons.Cancel)
-
-    def isAllowedAlterDocument(self):
-        return False  # another command's transaction would end this one
-
-    def isAllowedAlterSelection(self):
-        return True
-
-    def isAllowedAlterView(self):
-        return True
-
-    def needsFullSpace(self):
-        return True
