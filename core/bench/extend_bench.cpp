@@ -12,29 +12,28 @@ BSplineCurve twistedCubic() {
   return BSplineCurve(BezierCurve(poles));
 }
 
-void extendByTangentialCoordinates(benchmark::State& state) {
+void timeExtension(benchmark::State& state, const ExtendOptions& options) {
   const BSplineCurve curve = twistedCubic();
-  ExtendOptions options;
-  options.tangential = {5.0, 10.0, 15.0, 20.0};
   for (auto _ : state)
     benchmark::DoNotOptimize(extend(curve, options));
+}
+
+void extendByTangentialCoordinates(benchmark::State& state) {
+  ExtendOptions options;
+  options.tangential = {5.0, 10.0, 15.0, 20.0};
+  timeExtension(state, options);
 }
 BENCHMARK(extendByTangentialCoordinates);
 
 void extendByBeta(benchmark::State& state) {
-  const BSplineCurve curve = twistedCubic();
   ExtendOptions options;
   options.beta = {1.0, 0.0, 0.0, 0.0};
-  for (auto _ : state)
-    benchmark::DoNotOptimize(extend(curve, options));
+  timeExtension(state, options);
 }
 BENCHMARK(extendByBeta);
 
 void extendFairly(benchmark::State& state) {
-  const BSplineCurve curve = twistedCubic();
-  const ExtendOptions options{.order = static_cast<int>(state.range(0))};
-  for (auto _ : state)
-    benchmark::DoNotOptimize(extend(curve, options));
+  timeExtension(state, {.order = static_cast<int>(state.range(0))});
 }
 BENCHMARK(extendFairly)->ArgName("order")->DenseRange(2, 4)->Unit(benchmark::kMicrosecond);
 

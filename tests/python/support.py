@@ -1,7 +1,9 @@
 """What the tests of this folder share: curves, and what they may find beside a checkout."""
 import gc
 import os
+import threading
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -59,6 +61,31 @@ def spline(spans, seed=1, periodic=False):
 def circle_then_line():
     """A quarter circle of radius 10 and a line on its end tangent: G1, curvature 0.1 against 0."""
     return quarter_circle(), Curve.bezier([(0, 10, 0), (-10, 10, 0)])
+
+
+def assert_same_in_threads(case, function):
+    """Fails if a function gives something else in one of four threads that call it together."""
+    expected = function()
+    with ThreadPoolExecutor(4) as threads:
+        for found in threads.map(lambda _: function(), range(16)):
+            case.assertEqual(found, expected)
+
+
+def count_wakes_during(function):
+    """How often this thread wakes up while another one runs the function."""
+    done = threading.Event()
+
+    def run():
+        function()
+        done.set()
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    wakes = 0
+    while not done.wait(1e-4):
+        wakes += 1
+    thread.join()
+    return wakes
 
 
 def assert_no_growth(case, function, count):

@@ -3,13 +3,12 @@ import threading
 import time
 import unittest
 from collections import Counter
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 from osculate import Construction, Curve, JoinReport, analyze, blend
 from blend_tasks import mirrored_task, pieces_task, planar_task, spatial_task
-from support import FreeCAD, Part, needs_freecad, quarter_circle
+from support import FreeCAD, Part, assert_same_in_threads, needs_freecad, quarter_circle
 
 END_TO_START = ("end", "start")
 
@@ -262,10 +261,7 @@ class InvarianceTest(unittest.TestCase):
         self.assert_same_trace(blend(first.reversed(), second.reversed()).curve, expected)
 
     def test_the_same_call_gives_the_same_curve_in_every_thread(self):
-        expected = blend(*planar_task(), order=2).curve
-        with ThreadPoolExecutor(4) as threads:
-            for found in threads.map(lambda _: blend(*planar_task(), order=2).curve, range(16)):
-                self.assertEqual(found, expected)
+        assert_same_in_threads(self, lambda: blend(*planar_task(), order=2).curve)
 
     def test_other_threads_run_during_a_blend(self):
         """A blend of tens of ms: this thread wakes up many times within one call."""

@@ -1,13 +1,12 @@
 """osculate.extend: what its curves meet, its freedoms, targets and continuations."""
-import threading
 import unittest
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 from osculate import Construction, ContactError, Curve, analyze, extend
 from blend_tasks import planar_task, spatial_task
-from support import FreeCAD, Part, cubic, full_circle, needs_freecad, quarter_circle, spline
+from support import (FreeCAD, Part, assert_same_in_threads, count_wakes_during, cubic,
+                     full_circle, needs_freecad, quarter_circle, spline)
 
 
 def curves():
@@ -228,29 +227,14 @@ class InvarianceTest(unittest.TestCase):
                 np.testing.assert_allclose(same.curve.poles, own, atol=1e-4, err_msg=name)
 
     def test_the_same_call_gives_the_same_curve_in_every_thread(self):
-        expected = extend(cubic(), degree=6).curve
-        with ThreadPoolExecutor(4) as threads:
-            for found in threads.map(lambda _: extend(cubic(), degree=6).curve, range(16)):
-                self.assertEqual(found, expected)
+        assert_same_in_threads(self, lambda: extend(cubic(), degree=6).curve)
 
     def test_other_threads_run_meanwhile(self):
-        running = threading.Event()
-        done = threading.Event()
-
         def extends():
-            running.set()
             for _ in range(10):
                 extend(cubic(), order=8, degree=12)
-            done.set()
 
-        thread = threading.Thread(target=extends)
-        thread.start()
-        running.wait()
-        wakes = 0
-        while not done.wait(1e-4):
-            wakes += 1
-        thread.join()
-        self.assertGreater(wakes, 10)
+        self.assertGreater(count_wakes_during(extends), 10)
 
 
 class RecordTest(unittest.TestCase):

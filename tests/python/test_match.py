@@ -1,14 +1,12 @@
 """osculate.match: what it meets, what it leaves alone, and how far it moves the curve."""
-import threading
 import unittest
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 from osculate import Construction, Curve, analyze, match
 from blend_tasks import planar_task, spatial_task
-from support import (FreeCAD, Part, cubic, full_circle, needs_freecad, quarter_circle,
-                     shared_file, spline)
+from support import (FreeCAD, Part, assert_same_in_threads, count_wakes_during, cubic,
+                     full_circle, needs_freecad, quarter_circle, shared_file, spline)
 
 
 def arrival():
@@ -173,26 +171,14 @@ class InvarianceTest(unittest.TestCase):
         np.testing.assert_allclose(result.curve.poles[::-1], self.own.curve.poles, atol=1e-7)
 
     def test_the_same_call_gives_the_same_curve_in_every_thread(self):
-        with ThreadPoolExecutor(4) as threads:
-            for found in threads.map(lambda _: match(arrival(), long_spline(), order=3).curve,
-                                     range(16)):
-                self.assertEqual(found, self.own.curve)
+        assert_same_in_threads(self, lambda: match(arrival(), long_spline(), order=3).curve)
 
     def test_other_threads_run_meanwhile(self):
-        done = threading.Event()
-
         def matches():
             for _ in range(20):
                 match(arrival(), long_spline(), order=8)
-            done.set()
 
-        thread = threading.Thread(target=matches)
-        thread.start()
-        wakes = 0
-        while not done.wait(1e-4):
-            wakes += 1
-        thread.join()
-        self.assertGreater(wakes, 10)
+        self.assertGreater(count_wakes_during(matches), 10)
 
 
 class RecordTest(unittest.TestCase):
