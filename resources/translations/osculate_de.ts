@@ -564,10 +564,6 @@
         <translation>Was auf einem Schnitt gleich bleibt: die baryzentrische Koordinate einer Ecke oder eine Koordinate im Raum</translation>
     </message>
     <message>
-        <source>Edges, faces, or whole objects, whose edges have the comb</source>
-        <translation>Kanten, Flächen oder ganze Objekte, deren Kanten den Kamm haben</translation>
-    </message>
-    <message>
         <source>What the teeth show: curvature, torsion, or a rate by arc length</source>
         <translation>Was die Zinken zeigen: Krümmung, Torsion oder eine Änderung nach der Bogenlänge</translation>
     </message>
@@ -636,15 +632,19 @@
         <translation>Zahl der Kurvenspitzen</translation>
     </message>
     <message>
-        <source>What has no comb, in sentences</source>
-        <translation>Was keinen Kamm hat, in Sätzen</translation>
+        <source>Edges, faces, or whole objects, all of whose edges count</source>
+        <translation>Kanten, Flächen oder ganze Objekte, deren Kanten alle zählen</translation>
+    </message>
+    <message>
+        <source>What is left out, in sentences</source>
+        <translation>Was ausgelassen ist, in Sätzen</translation>
     </message>
 </context>
 <context>
     <name>Osculate</name>
     <message>
         <source>No edge is linked (its object was deleted?).</source>
-        <extracomment>why some edges have no comb, in sentences</extracomment>
+        <extracomment>why some edges are left out, in sentences</extracomment>
         <translation>Es ist keine Kante verknüpft (wurde ihr Objekt gelöscht?).</translation>
     </message>
     <message>
@@ -683,7 +683,7 @@
     </message>
     <message>
         <source>Keep join check</source>
-        <extracomment>open while the object is edited</extracomment>
+        <extracomment>its name, which documents keep</extracomment>
         <translation>Übergangsprüfung behalten</translation>
     </message>
     <message>
@@ -1087,6 +1087,7 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Pick an edge in the 3D view or in the tree</source>
+        <extracomment>which one is at the mouse</extracomment>
         <translation>Eine Kante in der 3D-Ansicht oder im Baum wählen</translation>
     </message>
     <message>
@@ -2074,24 +2075,17 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Curvature comb</source>
-        <extracomment>take the selection: instead of the edges (False), or as well</extracomment>
+        <extracomment>Text of a verdict on light and on dark widgets.</extracomment>
         <translation>Krümmungskamm</translation>
     </message>
     <message>
         <source>Take selection</source>
+        <extracomment>take the selection: instead of the edges (False), or as well</extracomment>
         <translation>Auswahl nehmen</translation>
-    </message>
-    <message>
-        <source>The comb of what is selected, instead</source>
-        <translation>Der Kamm des Ausgewählten, statt dessen</translation>
     </message>
     <message>
         <source>Add selection</source>
         <translation>Auswahl hinzunehmen</translation>
-    </message>
-    <message>
-        <source>The comb of what is selected, as well</source>
-        <translation>Der Kamm auch des Ausgewählten</translation>
     </message>
     <message>
         <source>Teeth of each Bézier segment</source>
@@ -2183,7 +2177,6 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Select edges, faces, sketches or whole objects, and press Take selection.</source>
-        <extracomment>Keys of rows: a line in the comb&apos;s colour; else what sprites.symbol takes, or None.</extracomment>
         <translation>Wählen Sie Kanten, Flächen, Skizzen oder ganze Objekte und drücken Sie „Auswahl nehmen“.</translation>
     </message>
     <message>
@@ -2237,6 +2230,14 @@ What a solid from points begins with, in mm.</extracomment>
     <message>
         <source>Combs of the blend and of both edges, in one scale</source>
         <translation>Kämme des Übergangs und beider Kanten, in einem Maßstab</translation>
+    </message>
+    <message>
+        <source>What is selected takes the place of these edges</source>
+        <translation>Das Ausgewählte tritt an die Stelle dieser Kanten</translation>
+    </message>
+    <message>
+        <source>What is selected counts as well</source>
+        <translation>Das Ausgewählte zählt auch dazu</translation>
     </message>
 </context>
 <context>

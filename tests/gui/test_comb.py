@@ -37,7 +37,7 @@ class CombCase(ConstructCase):
     def widest(self, obj):
         """The size of all that is drawn of a comb, in mm."""
         action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(900, 600))
-        action.apply(obj.ViewObject.Proxy._comb.node)
+        action.apply(obj.ViewObject.Proxy._drawing.node)
         return action.getBoundingBox().getSize().getValue()
 
 
@@ -105,7 +105,7 @@ class DrawnTest(CombCase):
         wide = self.widest(self.comb)
         self.comb.Factor = 1e6
         self.assertLess(max(self.widest(self.comb)), 2.5 * max(wide))
-        self.assertGreater(self.comb.ViewObject.Proxy._comb.cut, 10)
+        self.assertGreater(self.comb.ViewObject.Proxy._drawing.cut, 10)
 
     def test_jumps_stay_jumps(self):
         line, arc = samples.line_and_arc(self.doc)
@@ -122,7 +122,7 @@ class DrawnTest(CombCase):
         for other in (self.wave, self.comb, line, arc, wire):
             other.Visibility = False
         self.fit()
-        self.assertEqual(obj.ViewObject.Proxy._comb.jumps, 1)
+        self.assertEqual(obj.ViewObject.Proxy._drawing.jumps, 1)
         self.assertGreater(self.drawn("comb_jump", comb_nodes.JUMP_COLOR), 30)
 
     def test_survives_saving_and_loading(self):

@@ -5,18 +5,17 @@ import numpy
 
 import osculate
 from osculate.comb_drawing import automatic_scale
-from osculate.features.edge_link import EdgeLink, LinkError, edges_at
-from osculate.features.feature import FAILURES, STATUS, Feature, make
+from osculate.features.edge_overlay import (
+    EDGE_COUNT, SOURCES, WARNINGS, EdgeOverlay, sources_from)
+from osculate.features.feature import STATUS, make
 from osculate.features.properties import LOOK, set_if_changed
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-translate = FreeCAD.Qt.translate
 
 _DENSITY = (24, 2, 1000, 4)  # default, least, most, step
 
 _CURVES = ("Curves", (
-    ("Sources", "App::PropertyLinkSubListGlobal", QT_TRANSLATE_NOOP(
-        "App::Property", "Edges, faces, or whole objects, whose edges have the comb")),
+    SOURCES,
     ("Quantity", "App::PropertyEnumeration", QT_TRANSLATE_NOOP(
         "App::Property", "What the teeth show: curvature, torsion, or a rate by arc length")),
     ("Density", "App::PropertyIntegerConstraint", QT_TRANSLATE_NOOP(
@@ -41,8 +40,7 @@ _LOOK = ("Look", (
 ))
 _RESULT = ("Result", (
     STATUS[0],
-    ("EdgeCount", "App::PropertyInteger", QT_TRANSLATE_NOOP(
-        "App::Property", "Number of edges")),
+    EDGE_COUNT,
     ("Length", "App::PropertyLength", QT_TRANSLATE_NOOP(
         "App::Property", "Length of all edges")),
     ("LargestCurvature", "App::PropertyFloat", QT_TRANSLATE_NOOP(
@@ -56,17 +54,13 @@ _RESULT = ("Result", (
     ("Vertices", "App::PropertyInteger", QT_TRANSLATE_NOOP(
         "App::Property", "Number of vertices: points where the curvature is stationary")),
     ("Cusps", "App::PropertyInteger", QT_TRANSLATE_NOOP("App::Property", "Number of cusps")),
-    ("Warnings", "App::PropertyStringList", QT_TRANSLATE_NOOP(
-        "App::Property", "What has no comb, in sentences")),
+    WARNINGS,
     STATUS[1],
 ))
 
 
-class CurvatureComb(Feature):
-    """Proxy of an App::FeaturePython; documents name this class.
-
-    `EdgeCount` is set whenever there is a new comb.
-    """
+class CurvatureComb(EdgeOverlay):
+    """Proxy of an App::FeaturePython; documents name this class."""
 
     groups = (_CURVES, _LOOK)
     result_groups = (_RESULT,)
@@ -74,20 +68,14 @@ class CurvatureComb(Feature):
               "Scale": 100.0, "Factor": 1.0, "Teeth": True, "Envelope": True, "Marks": True,
               "Legend": True}
 
-    problems = ()    #: why some edges have no comb, in sentences
-    _made_of = None  # what was looked at last, and
-    _comb = None     # what was made of it
+    def options(self, obj):
+        return obj.Density, obj.Quantity
 
-    def construct(self, obj):
-        self._look(obj)
-        if self._comb is None:
-            raise LinkError(" ".join(self.problems))
-        return self._comb
-
-    def put(self, obj, comb):
-        obj.EdgeCount = len(comb.lengths)
+    def make_from(self, obj, curves):
+        return osculate.comb(curves, density=obj.Density, quantities=[obj.Quantity])
 
     def show(self, obj, comb):
+        super().show(obj, comb)
         curvature = _largest(comb.curvature)
         obj.Length = float(comb.lengths.sum())
         obj.LargestCurvature = curvature
@@ -97,29 +85,6 @@ class CurvatureComb(Feature):
         for name, kind in (("Inflections", "inflection"), ("Vertices", "vertex"),
                            ("Cusps", "cusp")):
             set_if_changed(obj, name, kinds.count(kind))
-        set_if_changed(obj, "Warnings", list(self.problems))
-
-    def follow(self, obj):
-        """Looks at the edges and options as they are now; True if the comb changed. The properties
-        of the object stay: they follow with its recompute.
-        """
-        if not self._look(obj):
-            return False
-        self.result = self._comb
-        self.error = "" if self._comb else " ".join(self.problems)
-        return True
-
-    def _look(self, obj):
-        """Makes the comb anew if what it is made of changed; True if it did."""
-        edges, problems = _edges_of(links_of(obj))
-        made_of = edges, (obj.Density, obj.Quantity, tuple(problems))
-        if self._made_of is not None and _are_same(made_of, self._made_of):
-            return False
-        curves = _curves_from(edges, problems)
-        self._made_of, self.problems = made_of, tuple(dict.fromkeys(problems))
-        self._comb = osculate.comb(curves, density=obj.Density,
-                                   quantities=[obj.Quantity]) if curves else None
-        return True
 
 
 def make_curvature_comb(doc, sources, *, quantity="curvature", density=24, name="CurvatureComb"):
@@ -149,17 +114,6 @@ def make_object(doc, *, name="CurvatureComb", **settings):
     return make(doc, CurvatureComb, name, **settings)
 
 
-def sources_from(sources):
-    """The value of the property Sources from objects and (object, sub) pairs."""
-    return [source if isinstance(source, (tuple, list)) else (source, "") for source in sources]
-
-
-def links_of(obj):
-    """The sources of a CurvatureComb as EdgeLinks; `sub` is empty for a whole object."""
-    return [EdgeLink.of(source, sub) for source, subs in obj.Sources
-            for sub in ((subs,) if isinstance(subs, str) else subs or ("",))]
-
-
 def scale_of(obj):
     """The length in mm of a tooth of value 1 as a CurvatureComb is drawn; None where its values are
     zero, or it has none.
@@ -174,42 +128,6 @@ def automatic_scale_of(obj):
     """The same without the Factor, and whether it is used or not."""
     comb = obj.Proxy.result
     return None if comb is None else automatic_scale([comb], obj.Quantity)
-
-
-def _edges_of(links):
-    """(edges, problems): what the links lead to, and why some lead nowhere."""
-    edges, problems = [], []
-    for link in links:
-        try:
-            edges += edges_at(link)
-        except LinkError as error:
-            problems.append(str(error))
-    if not edges and not problems:
-        problems.append(translate("Osculate", "No edge is linked (its object was deleted?)."))
-    return edges, problems
-
-
-def _curves_from(edges, problems):
-    curves = []
-    for edge in edges:
-        try:
-            curves.append(osculate.Curve.from_edge(edge))
-        except FAILURES as error:
-            problems.append(str(error))
-    return curves
-
-
-def _are_same(first, second):
-    edges, others = first[0], second[0]
-    return (first[1] == second[1] and len(edges) == len(others)
-            and all(map(_is_equal, edges, others)))
-
-
-def _is_equal(edge, other):
-    """Whether two edges are one, in one place: isEqual says no where the place was computed twice.
-    """
-    return (edge.isPartner(other) and edge.Orientation == other.Orientation
-            and edge.Placement.toMatrix().A == other.Placement.toMatrix().A)
 
 
 def _largest(values):

@@ -5,7 +5,8 @@ import Part
 
 from osculate.comb_drawing import LIMIT
 from osculate.features import make_curvature_comb
-from osculate.features.curvature_comb import CurvatureComb, links_of, scale_of
+from osculate.features.curvature_comb import CurvatureComb, scale_of
+from osculate.features.edge_overlay import links_of
 from osculate.features.selftest.feature_case import FeatureCase
 
 V = FreeCAD.Vector

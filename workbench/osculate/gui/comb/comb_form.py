@@ -5,38 +5,23 @@ import math
 import numpy
 
 from osculate import COMB_QUANTITIES
-from osculate.gui import colors, comb_words, numbers, resources
-from osculate.gui.panel.message import Message
+from osculate.gui import colors, comb_words, numbers
 from osculate.gui.panel.quiet import ComboBox, Slider, SpinBox
 from osculate.gui.panel.report_label import ReportLabel
-from osculate.gui.qt import QtCore, QtGui, QtWidgets, Signal, translate
+from osculate.gui.panel.sources_form import SourcesForm
+from osculate.gui.qt import QtCore, QtGui, QtWidgets, translate
 
 _SLIDER = 200          # steps to either side
 _PER_DECADE = 100.0    # of them
-_SWITCHES = ("Teeth", "Envelope", "Marks", "Legend")
 
 
-class CombForm(QtWidgets.QWidget):
+class CombForm(SourcesForm):
     """Shows a CurvatureComb; tells what the user changes."""
 
-    #: Properties to set, as a dict, and whether this ends a step (False while a slider moves).
-    edited = Signal(object, bool)
-    settled = Signal()             #: ends the step that began with edits
-    selection_wanted = Signal(bool)  #: take the selection: instead of the edges (False), or as well
-
     def __init__(self):
-        super().__init__()
-        self.setWindowTitle(translate("Osculate", "Curvature comb"))
-        self.setWindowIcon(resources.icon("curvature-comb"))
-        self.setObjectName("OsculateCombPanel")
-        self.advice, self.trouble, self.warnings = Message(), Message(), Message()
+        super().__init__(translate("Osculate", "Curvature comb"), "curvature-comb",
+                         "OsculateCombPanel")
         self._obj, self._automatic = None, None  # what is shown, and its automatic scale
-        self.sources = QtWidgets.QLabel()
-        self.sources.setWordWrap(True)
-        self.replace = QtWidgets.QPushButton(translate("Osculate", "Take selection"))
-        self.replace.setToolTip(translate("Osculate", "The comb of what is selected, instead"))
-        self.add = QtWidgets.QPushButton(translate("Osculate", "Add selection"))
-        self.add.setToolTip(translate("Osculate", "The comb of what is selected, as well"))
         self.quantity = _quantity_box()
         self.density = SpinBox()
         self.density.setRange(2, 1000)
@@ -49,44 +34,26 @@ class CombForm(QtWidgets.QWidget):
         self.automatic.setToolTip(translate("Osculate", "The teeth keep their share of the size of "
                                                         "the curves when these change"))
         self.flip = QtWidgets.QCheckBox(translate("Osculate", "on the other side"))
-        self.switches = {name: QtWidgets.QCheckBox(text) for name, text in zip(_SWITCHES, (
-            translate("Osculate", "teeth"), translate("Osculate", "envelope"),
-            translate("Osculate", "peaks, inflections, vertices"),
-            translate("Osculate", "legend")))}
         self.table = CombTable()
-        self._lay_out()
+        self._add_rows()
         self._connect()
-        self.show_parts(False)
 
-    def _lay_out(self):
-        self._content = QtWidgets.QWidget()
-        rows = QtWidgets.QFormLayout(self._content)
-        rows.setContentsMargins(0, 0, 0, 0)
+    def _add_rows(self):
+        rows = self.rows
         rows.addRow(translate("Osculate", "Show"), self.quantity)
         rows.addRow(translate("Osculate", "Density"), self.density)
         rows.addRow(translate("Osculate", "Scale"), self.scale)
         rows.addRow("", self.scale_text)
         rows.addRow("", self.automatic)
         rows.addRow("", self.flip)
-        rows.addRow(translate("Osculate", "Draw"), self.switches["Teeth"])
-        for name in _SWITCHES[1:]:
-            rows.addRow("", self.switches[name])
+        self.boxes = self.switches(translate("Osculate", "Draw"), {
+            "Teeth": translate("Osculate", "teeth"),
+            "Envelope": translate("Osculate", "envelope"),
+            "Marks": translate("Osculate", "peaks, inflections, vertices"),
+            "Legend": translate("Osculate", "legend")})
         rows.addRow(self.table)
-        buttons = QtWidgets.QHBoxLayout()
-        buttons.addWidget(self.replace)
-        buttons.addWidget(self.add)
-        layout = QtWidgets.QVBoxLayout(self)
-        layout.setSpacing(8)
-        for widget in (self.advice, self.sources):
-            layout.addWidget(widget)
-        layout.addLayout(buttons)
-        for widget in (self.trouble, self.warnings, self._content):
-            layout.addWidget(widget)
-        layout.addStretch(1)
 
     def _connect(self):
-        self.replace.clicked.connect(lambda: self.selection_wanted.emit(False))
-        self.add.clicked.connect(lambda: self.selection_wanted.emit(True))
         self.quantity.activated.connect(
             lambda index: self.edited.emit({"Quantity": COMB_QUANTITIES[index]}, True))
         self.density.valueChanged.connect(
@@ -95,35 +62,22 @@ class CombForm(QtWidgets.QWidget):
         self.scale.sliderReleased.connect(self.settled)
         self.automatic.clicked.connect(self._automatic_clicked)
         self.flip.clicked.connect(lambda: self.edited.emit(self.scaled_by(-1.0), True))
-        for name, box in self.switches.items():
-            box.clicked.connect(lambda on, name=name: self.edited.emit({name: on}, True))
-
-    def show_parts(self, has_object):
-        """Shows what changes the object only where there is one."""
-        for widget in (self.sources, self._content):
-            widget.setVisible(has_object)
-        self.add.setEnabled(has_object)
 
     def show_object(self, obj, automatic):
         """Shows a CurvatureComb; `automatic` is the length in mm that a tooth of value 1 has
         without its Factor, or None.
         """
+        super().show_object(obj)
         self._obj, self._automatic = obj, automatic
-        self.sources.setText(_sources_text(obj))
         self.quantity.setCurrentIndex(COMB_QUANTITIES.index(obj.Quantity))
         _silently(self.density, obj.Density)
         self._show_scale(obj)
-        for name, box in self.switches.items():
+        for name, box in self.boxes.items():
             box.setChecked(getattr(obj, name))
         comb = obj.Proxy.result
-        self.warnings.say("" if comb is None else "\n".join(obj.Proxy.problems), "warning")
         self.table.setVisible(comb is not None)
         if comb is not None:
             self.table.show_report(comb)
-
-    def show_trouble(self, sentence):
-        """Says why there is no comb; nothing if there is."""
-        self.trouble.say(sentence, "error")
 
     def _show_scale(self, obj):
         has_scale = self._automatic is not None
@@ -199,17 +153,6 @@ def _swatch(color):
     picture = QtGui.QPixmap(QtCore.QSize(14, 14))
     picture.fill(QtGui.QColor(color))
     return QtGui.QIcon(picture)
-
-
-def _sources_text(obj):
-    """"12 edges of Sketch, Pad.Face3"."""
-    names = [f"{source.Label}.{sub.rpartition('.')[2]}" if sub else source.Label
-             for source, subs in obj.Sources
-             for sub in ((subs,) if isinstance(subs, str) else subs or ("",))]
-    listed = ", ".join(names[:4]) + (", …" if len(names) > 4 else "")
-    if obj.EdgeCount == 1:
-        return translate("Osculate", "1 edge: {}").format(listed)
-    return translate("Osculate", "{} edges: {}").format(obj.EdgeCount, listed)
 
 
 def _silently(box, value):

@@ -1,4 +1,4 @@
-"""The picture that explains a comb: its quantity in its colour, and rows of symbols with words."""
+"""The picture of a legend: a title, and rows of lines or symbols with words."""
 
 import math
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from osculate.gui.overlays.pictures import (
     TEXT_COLOR, canvas, image_node, label_fonts, painter_on)
 from osculate.gui.qt import QtCore, QtGui
 
-#: Keys of rows: a line in the comb's colour; else what sprites.symbol takes, or None.
+#: The key of a row with a line is (LINE, colour); others are what sprites.symbol takes, or None.
 LINE = "line"
 
 _MARGIN, _PADDING, _KEY_WIDTH, _ROW_GAP = 9.5, 10.0, 26.0, 3.0
@@ -18,11 +18,10 @@ _RIM = "#7c8794"
 
 
 @dataclass(frozen=True)
-class CombLegend:
+class RowsLegend:
     """What a legend shows; rows are (key, text) pairs."""
 
     title: str
-    color: str
     rows: tuple
 
 
@@ -48,17 +47,16 @@ def legend_picture(legend, text_points, left):
     for number, (key, text) in enumerate(legend.rows, 1):
         place = corner + QtCore.QPointF(0.0, number * step)
         if key:
-            _draw_key(painter, place + QtCore.QPointF(9.0, 0.5 * metrics.height()), key,
-                      legend.color)
+            _draw_key(painter, place + QtCore.QPointF(9.0, 0.5 * metrics.height()), key)
             place += QtCore.QPointF(_KEY_WIDTH, 0.0)
         _write(painter, place, text, plain)
     painter.end()
     return image_node(picture, coin.SoImage.LEFT, coin.SoImage.TOP), box.right() + 0.5
 
 
-def _draw_key(painter, centre, key, color):
-    if key == LINE:
-        painter.setPen(QtGui.QPen(QtGui.QColor(color), 3.0))
+def _draw_key(painter, centre, key):
+    if key[0] == LINE:
+        painter.setPen(QtGui.QPen(QtGui.QColor(key[1]), 3.0))
         half = QtCore.QPointF(9.0, 0.0)
         painter.drawLine(centre - half, centre + half)
     else:
