@@ -26,13 +26,15 @@ from osculate.construction import blend, extend, join, match, nu_spline
 from osculate.errors import ContactError
 from osculate.export import write_csv, write_json
 from osculate.fairness import energies
+from osculate.plots import PLOT_QUANTITIES, CurvePlot, PlotJoin, PlotPoint, curve_plot
 
 __all__ = [
     "AuditColumns", "AuditReport", "AuditRow", "BezierTetrahedron", "BezierTriangle",
     "COMB_QUANTITIES", "Comb", "CombMark", "Construction", "ContactError", "ContactReport", "Curve",
-    "DefinitionDetail", "FaceMesh", "FrenetFrame", "JOIN_KINDS", "JoinBatch", "JoinReport",
-    "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PointGeometry", "SectionMesh",
-    "SkippedEdge", "SolidMesh", "TolerancePreset", "Tolerances", "VERDICTS", "ValidityReport",
-    "__version__", "analyze", "analyze_edge", "analyze_joins", "audit", "blend", "comb", "energies",
-    "extend", "join", "match", "nu_spline", "solids", "write_csv", "write_json",
+    "CurvePlot", "DefinitionDetail", "FaceMesh", "FrenetFrame", "JOIN_KINDS", "JoinBatch",
+    "JoinReport", "JoinSide", "JoinWarning", "MAX_ORDER", "OcctError", "PLOT_QUANTITIES",
+    "PlotJoin", "PlotPoint", "PointGeometry", "SectionMesh", "SkippedEdge", "SolidMesh",
+    "TolerancePreset", "Tolerances", "VERDICTS", "ValidityReport", "__version__", "analyze",
+    "analyze_edge", "analyze_joins", "audit", "blend", "comb", "curve_plot", "energies", "extend",
+    "join", "match", "nu_spline", "solids", "write_csv", "write_json",
 ]

@@ -104,26 +104,33 @@ def automatic_scale(combs, quantity, size=None):
     as those of small rounds beside large curves, do not count; their teeth are cut.
     """
     size = size_of(combs) if size is None else size
-    reference = max((_reference(comb, quantity) for comb in combs), default=0.0)
-    if reference * size ** DIMENSIONS[quantity] <= _ROUNDING:
+    reference = max((usual_largest(comb, quantity) for comb in combs), default=0.0)
+    if is_rounding(reference, quantity, size):
         return None
     return _nice(_LONGEST * size / reference)
 
 
-def _reference(comb, quantity):
-    """The largest magnitude of a quantity, without what stands out on a small part of the length.
+def is_rounding(magnitude, quantity, size):
+    """Whether a magnitude of a quantity is zero but for rounding, on curves of this size in mm."""
+    return magnitude * size ** DIMENSIONS[quantity] <= _ROUNDING
+
+
+def usual_largest(comb, quantity, members=slice(None), share=_USUAL,
+                  outstanding=_OUTSTANDING):
+    """The largest magnitude of a quantity on some samples. Where it is more than `outstanding`
+    times what a share of the length stays below it is that, without what stands out.
     """
-    magnitudes = numpy.abs(getattr(comb, quantity))
-    weights = _weights(comb)
+    magnitudes = numpy.abs(getattr(comb, quantity))[members]
+    weights = _weights(comb)[members]
     exists = numpy.isfinite(magnitudes)
     magnitudes, weights = magnitudes[exists], weights[exists]
     if not len(magnitudes):
         return 0.0
     order = numpy.argsort(magnitudes)
-    share = numpy.cumsum(weights[order])
-    usual = magnitudes[order][numpy.searchsorted(share, _USUAL * share[-1])]
+    lengths = numpy.cumsum(weights[order])
+    usual = magnitudes[order][numpy.searchsorted(lengths, share * lengths[-1])]
     largest = float(magnitudes[order[-1]])
-    is_outstanding = 0.0 < _OUTSTANDING * usual < largest
+    is_outstanding = 0.0 < outstanding * usual < largest
     return float(usual) if is_outstanding else largest
 
 

@@ -9,6 +9,11 @@ from osculate import _core, shapes
 #: What a comb has along a curve, by the names of its arrays.
 COMB_QUANTITIES = ("curvature", "torsion", "curvature_rate", "curvature_rate2", "torsion_rate")
 
+SYMBOLS = {"curvature": "κ", "torsion": "τ", "curvature_rate": "dκ/ds",
+           "curvature_rate2": "d²κ/ds²", "torsion_rate": "dτ/ds"}
+UNITS = {"curvature": "mm⁻¹", "torsion": "mm⁻¹", "curvature_rate": "mm⁻²",
+         "curvature_rate2": "mm⁻³", "torsion_rate": "mm⁻²"}
+
 
 class CombMark(NamedTuple):
     """A point of interest of a comb; it is one of the samples."""

@@ -81,12 +81,13 @@ def _row(label, report):
 
 
 @contextmanager
-def replacing(path):
-    """A text file that takes the place of `path` when all has been written."""
+def replacing(path, is_binary=False):
+    """A file, of text or binary, that takes the place of `path` when all has been written."""
     target = os.path.realpath(path)
     descriptor, draft = tempfile.mkstemp(prefix=".osculate-", dir=os.path.dirname(target))
     try:
-        with open(descriptor, "w", encoding="utf-8", newline="") as file:
+        kind = {"mode": "wb"} if is_binary else {"mode": "w", "encoding": "utf-8", "newline": ""}
+        with open(descriptor, **kind) as file:
             yield file
             file.flush()
             os.fsync(file.fileno())

@@ -1,16 +1,14 @@
 """The joins of edges in a document: where they are, and their analysis."""
 
-from collections import defaultdict
 from dataclasses import dataclass, field
-from itertools import product
-from math import floor
-from operator import add
 from typing import Optional, Tuple
 
 import FreeCAD
 
 import osculate
+from osculate.chains import NEARNESS
 from osculate.features.edge_link import EdgeLink, LinkError, resolve_all
+from osculate.near_points import near_pairs
 
 translate = FreeCAD.Qt.translate
 
@@ -24,9 +22,6 @@ ENDS = {
     "start-start": ("start", "start"),
     "start-end": ("start", "end"),
 }
-
-#: An end that meets no other is joined with those within this multiple of the gap tolerance.
-NEARNESS = 100.0
 
 
 @dataclass(frozen=True)
@@ -120,21 +115,9 @@ class _End:
 
 
 def _near_pairs(ends, reach):
-    """(end, end, distance) of ends of different edges within `reach` mm.
-
-    Ends are sorted into cells of the size `reach`: the cost grows with their number, not with its
-    square.
-    """
-    pairs = []
-    cells = defaultdict(list)
-    for end in ends:
-        cell = tuple(floor(coordinate / reach) for coordinate in end.point)
-        for other in _neighbours(cells, cell):
-            distance = end.point.distanceToPoint(other.point)
-            if other.link != end.link and distance <= reach:
-                pairs.append((other, end, distance))
-        cells[cell].append(end)
-    return pairs
+    """(end, end, distance) of ends of different edges within `reach` mm."""
+    found = near_pairs([tuple(end.point) for end in ends], [end.link for end in ends], reach)
+    return [(ends[first], ends[second], distance) for first, second, distance in found]
 
 
 def _end_points(edge):
@@ -143,11 +126,6 @@ def _end_points(edge):
     if edge.Orientation == "Reversed":
         points.reverse()
     return zip(("start", "end"), points)
-
-
-def _neighbours(cells, cell):
-    for step in product((-1, 0, 1), repeat=3):
-        yield from cells.get(tuple(map(add, cell, step)), ())
 
 
 def _travel(first, second):

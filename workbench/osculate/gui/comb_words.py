@@ -1,12 +1,8 @@
 """What combs are called, in the user's language, and how their values are written."""
 
+from osculate.combs import SYMBOLS, UNITS
 from osculate.gui import numbers
 from osculate.gui.qt import translate
-
-SYMBOLS = {"curvature": "κ", "torsion": "τ", "curvature_rate": "dκ/ds",
-           "curvature_rate2": "d²κ/ds²", "torsion_rate": "dτ/ds"}
-UNITS = {"curvature": "mm⁻¹", "torsion": "mm⁻¹", "curvature_rate": "mm⁻²",
-         "curvature_rate2": "mm⁻³", "torsion_rate": "mm⁻²"}
 
 
 def name_of(quantity):

@@ -2,24 +2,11 @@
 
 import math
 
-MISSING = "–"
-_SMALL = 1e-3  # smaller numbers are written with a power of ten
+from osculate.number_text import MISSING, number, quantity
+
+__all__ = ["MISSING", "coordinate", "number", "quantity", "residual"]
+
 _ROUNDING = 1e-12  # of coordinates, as a share of what they belong to
-_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-
-
-def number(value, digits=4):
-    """`value` with `digits` significant digits, e.g. "0.0125", "−3.2·10⁻⁷"; a dash for None."""
-    if value is None or math.isnan(value):
-        return MISSING
-    if math.isinf(value):
-        return "∞" if value > 0 else "−∞"
-    mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
-    if 0.0 < abs(value) < _SMALL:
-        mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
-        mantissa = f"{float(mantissa):.{digits}g}"  # without zeros at the end
-    power = f"·10{str(int(exponent)).translate(_SUPERSCRIPTS)}" if exponent else ""
-    return mantissa.replace("-", "−") + power
 
 
 def coordinate(value, size, digits=5):
@@ -35,12 +22,6 @@ def coordinate(value, size, digits=5):
         return number(value, 2)
     text = f"{value:.{decimals}f}"
     return (text.rstrip("0").rstrip(".") if "." in text else text).replace("-", "−")
-
-
-def quantity(value, unit, digits=4):
-    """A number with its unit."""
-    text = number(value, digits)
-    return f"{text} {unit}" if unit and text != MISSING else text
 
 
 def residual(order, value, digits=3):

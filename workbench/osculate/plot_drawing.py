@@ -1,0 +1,236 @@
+"""How a CurvePlot is drawn with matplotlib: one pair of axes a quantity, over a common arc length.
+
+Imports matplotlib; nothing that is imported with osculate does.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy
+
+try:
+    import matplotlib
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
+    from matplotlib.transforms import blended_transform_factory
+except ImportError as error:
+    raise ImportError("curve plots are drawn with matplotlib, which is not installed (Debian: "
+                      f"python3-matplotlib; pip install matplotlib): {error}",
+                      name="matplotlib") from error
+
+from osculate import number_text, palette
+from osculate.comb_drawing import DIMENSIONS, is_rounding, size_of, usual_largest
+from osculate.combs import SYMBOLS, UNITS
+
+#: Values more than so many times as large as what this share of the length stays below are cut off,
+#: and how far beyond that the axis reaches.
+_OUTSTANDING, _USUAL, _BEYOND = 4.0, 0.98, 1.5
+
+#: An axis shows at least this share of the magnitude of what it has, so that rounding of a constant
+#: stays a straight line; and this share of its height stays free above and below.
+_LEAST_SPAN, _MARGIN = 0.05, 0.08
+
+#: What is drawn of joins: width, style.
+_LINES = {"join": (1.6, "-"), "closing": (1.6, "-"), "knot": (0.7, "-"), "gap": (1.6, (0, (3, 3)))}
+
+#: Margins around the axes and between them, in points; for each point of the text size.
+_LEFT, _RIGHT, _BOTTOM, _TOP, _BETWEEN = 4.4, 1.2, 3.2, 2.2, 0.9
+
+
+@dataclass(frozen=True)
+class PlotLook:
+    """Colours and words of a plot."""
+
+    ink: str = "#16202b"      #: of text and axes
+    paper: str = "#ffffff"    #: behind the whole
+    ground: str = "#ffffff"   #: behind the curves
+    text_points: float = 9.0
+    words: dict = field(default_factory=lambda: {
+        "gap": "gap", "cut": "cut, up to {}", "zero": "zero everywhere",
+        "missing": "does not exist"})
+
+
+class PlotDrawing:
+    """What is drawn on one Figure."""
+
+    def __init__(self, figure):
+        self.figure = figure
+        self.axes = {}   #: quantity -> Axes, from top to bottom
+        self.cut = ()    #: quantities of which some values are beyond the axis
+        self._plot = None
+
+    def show(self, plot, *, quantities=None, look=PlotLook(), window=None, limits=None):
+        """Draws a CurvePlot instead of what was drawn.
+
+        quantities: those that are drawn; None: all that the plot was made for.
+        window: (first, last) arc length that is seen; None: all.
+        limits: quantity -> (lowest, highest) that is seen; chosen by the values in the window, such
+            that a few outstanding ones do not hide the rest, where there are none.
+        """
+        self._plot, self._look = plot, look
+        self.window = window or (0.0, plot.length)
+        self._size = size_of([plot.comb])
+        with matplotlib.rc_context({"font.size": look.text_points, "svg.fonttype": "path"}):
+            self._make_axes(quantities or plot.quantities)
+            for quantity, axes in self.axes.items():
+                self._draw_curve(axes, quantity)
+                self._draw_joins(axes)
+            self._make_labels()
+        self.see(self.window, limits)
+
+    def see(self, window, limits=None):
+        """Shows another part of the arc length, with limits as for `show`."""
+        self.window = window
+        self.cut = ()
+        for quantity, axes in self.axes.items():
+            axes.set_xlim(*window)
+            chosen = (limits or {}).get(quantity)
+            self._set_limits(quantity, axes, chosen)
+        self.arrange()
+
+    def arrange(self):
+        """Places axes and labels by the size of the figure."""
+        width, height = 72.0 * self.figure.get_size_inches()
+        unit = self._look.text_points
+        bottom, top = _BOTTOM * unit / height, 1.0 - _TOP * unit / height
+        if top - bottom < 0.1 or width < 12.0 * unit:
+            return  # too small to show anything
+        count = len(self.axes)
+        each = (height * (top - bottom) - (count - 1) * _BETWEEN * unit) / count
+        self.figure.subplots_adjust(
+            left=_LEFT * unit / width, right=1.0 - _RIGHT * unit / width, bottom=bottom, top=top,
+            hspace=_BETWEEN * unit / max(each, 1.0))
+        for axes in self.axes.values():
+            axes.yaxis.get_major_locator().set_params(nbins=max(2, int(each / (2.2 * unit))))
+        self._place_labels(width - (_LEFT + _RIGHT) * unit)
+
+    # What is drawn once
+
+    def _make_axes(self, quantities):
+        self.figure.clear()
+        self.figure.set_facecolor(self._look.paper)
+        found = self.figure.subplots(len(quantities), 1, sharex=True, squeeze=False)[:, 0]
+        self.axes = dict(zip(quantities, found))
+        for axes in found:
+            self._dress(axes)
+        found[-1].set_xlabel("s  (mm)", color=self._look.ink, labelpad=2.0)
+
+    def _dress(self, axes):
+        ink = self._look.ink
+        axes.set_facecolor(self._look.ground)
+        axes.tick_params(colors=ink, which="both", labelcolor=ink, length=3.0)
+        axes.grid(True, color=ink, alpha=0.13, linewidth=0.6)
+        axes.axhline(0.0, color=ink, alpha=0.45, linewidth=0.8)
+        axes.margins(0.0)
+        axes.yaxis.set_major_locator(MaxNLocator(nbins=3))
+        for spine in axes.spines.values():
+            spine.set_color(ink)
+            spine.set_alpha(0.4)
+
+    def _draw_curve(self, axes, quantity):
+        s, values = self._plot.series(quantity)
+        axes.plot(s, values, color=palette.QUANTITIES[quantity], linewidth=1.8, zorder=3.0,
+                  solid_capstyle="round", solid_joinstyle="round")
+        box = {"facecolor": self._look.ground, "edgecolor": "none", "alpha": 0.75, "pad": 1.5}
+        axes.name_text = axes.annotate(
+            "", (0.0, 1.0), (5.0, -4.0), "axes fraction", "offset points", va="top",
+            color=palette.QUANTITIES[quantity], weight="bold", bbox=box, zorder=6.0)
+        axes.note_text = axes.annotate(
+            "", (1.0, 1.0), (-5.0, -4.0), "axes fraction", "offset points", va="top", ha="right",
+            color=self._look.ink, bbox=box, zorder=6.0)
+
+    def _draw_joins(self, axes):
+        for join in self._plot.joins:
+            width, style = _LINES["gap" if join.order < 0 else join.kind]
+            axes.axvline(join.s, color=palette.of_order(join.order), linewidth=width,
+                         linestyle=style, zorder=2.0)
+
+    # Labels of joins, in a row above the curves
+
+    def _make_labels(self):
+        top = next(iter(self.axes.values()))
+        place = blended_transform_factory(top.transData, top.transAxes)
+        self._labels = [(join, top.annotate(
+            self._label_of(join), (join.s, 1.0), (0.0, 3.0), place, "offset points", va="bottom",
+            ha="center", color="#ffffff", weight="bold", annotation_clip=False,
+            fontsize=0.85 * self._look.text_points,
+            bbox={"facecolor": palette.of_order(join.order), "edgecolor": "none",
+                  "boxstyle": "round,pad=0.25"})) for join in sorted(self._plot.joins, key=_rank)]
+
+    def _label_of(self, join):
+        if join.order >= 0:
+            return join.label
+        return f"{self._look.words['gap']} {number_text.quantity(join.gap_mm, 'mm', 3)}"
+
+    def _place_labels(self, width):
+        """Shows the labels that have room, the worst joins first."""
+        first, last = self.window
+        letter, taken = 0.62 * self._look.text_points, []
+        for join, label in self._labels:
+            place = (join.s - first) / (last - first) * width
+            half = 0.5 * letter * len(label.get_text()) + 4.0
+            is_seen = first <= join.s <= last and all(
+                abs(place - other) >= half + other_half for other, other_half in taken)
+            label.set_visible(is_seen)
+            if is_seen:
+                taken.append((place, half))
+
+    # Limits of the values
+
+    def _set_limits(self, quantity, axes, chosen):
+        lowest, highest, note = self._automatic(quantity)
+        if chosen is not None:
+            note = note if note in (self._look.words["zero"], self._look.words["missing"]) else ""
+            lowest, highest = chosen
+        axes.set_ylim(lowest, highest)
+        power = _power(max(abs(lowest), abs(highest)))
+        axes.yaxis.set_major_formatter(FuncFormatter(
+            lambda value, _place: f"{value / 10.0 ** power:.5g}".replace("-", "−")))
+        factor = number_text.power_of_ten(power) + " " if power else ""
+        axes.name_text.set_text(f"{SYMBOLS[quantity]}  ({factor}{UNITS[quantity]})")
+        axes.note_text.set_text(note)
+
+    def _automatic(self, quantity):
+        """(lowest, highest, note) by the values that are seen."""
+        first, last = self.window
+        comb, s = self._plot.comb, self._plot.s
+        members = numpy.flatnonzero((first <= s) & (s <= last))
+        values = getattr(comb, quantity)[members]
+        values = values[numpy.isfinite(values)]
+        unit = self._size ** -DIMENSIONS[quantity] if self._size > 0.0 else 1.0
+        if not len(values):
+            return -unit, unit, self._look.words["missing"] if self._is_missing(quantity) else ""
+        most = usual_largest(comb, quantity, members, _USUAL, _OUTSTANDING)
+        largest = float(numpy.abs(values).max())
+        if is_rounding(largest, quantity, self._size):
+            return -unit, unit, self._look.words["zero"]
+        if most < largest:
+            self.cut += (quantity,)
+            most *= _BEYOND
+            note = self._look.words["cut"].format(
+                number_text.quantity(largest, UNITS[quantity], 3))
+            return *_span(numpy.clip(values, -most, most), most), note
+        return *_span(values, largest), ""
+
+    def _is_missing(self, quantity):
+        return not numpy.isfinite(getattr(self._plot.comb, quantity)).any()
+
+
+def _rank(join):
+    """Labels of worse joins come first, those of inner knots last."""
+    return join.kind == "knot", join.order, join.s
+
+
+def _span(values, magnitude):
+    """The ends of an axis that shows some values."""
+    lowest, highest = float(values.min()), float(values.max())
+    lacking = 0.5 * max(_LEAST_SPAN * magnitude - (highest - lowest), 0.0)
+    margin = _MARGIN * (highest - lowest + 2.0 * lacking)
+    return lowest - lacking - margin, highest + lacking + margin
+
+
+def _power(magnitude):
+    """The power of ten, a multiple of three, that is written beside the axis."""
+    if not magnitude > 0.0:
+        return 0
+    power = 3 * math.floor(math.log10(magnitude) / 3.0)
+    return 0 if power in (-3, 0) and magnitude >= 0.01 else power
