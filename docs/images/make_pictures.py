@@ -3,7 +3,6 @@
     tests/gui/on_screen docs/images/make_pictures.py
 """
 
-import math
 import os
 import sys
 
@@ -24,7 +23,8 @@ from osculate.gui.preferences_page import PreferencesPage
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, FOLDER)
 from pictures import (  # noqa: E402  FreeCAD does not look beside a script
-    DARK, INK, LIGHT, V, find_form, grab, look, pump, run, save_view, set_background, widen_tree)
+    DARK, INK, LIGHT, V, arc, find_form, grab, ink, look, pump, run, save_view, set_background,
+    widen_tree)
 
 SAMPLE = os.path.join(resources.RESOURCES, "samples", "continuity_g0_to_g4.FCStd")
 
@@ -254,13 +254,6 @@ def open_curves(**poles_of):
     return document
 
 
-def ink(document):
-    """Draws all curves of a document plainly."""
-    for obj in document.Objects:
-        obj.ViewObject.LineWidth = 3.0
-        obj.ViewObject.LineColor = INK
-
-
 def blend(document):
     """Blend on the two objects of a document; returns the panel's form."""
     return construct(document, "Osculate_Blend", BlendForm, "Left", "Right")
@@ -314,11 +307,6 @@ def open_sample():
         obj.ViewObject.LineColor = INK
         obj.ViewObject.PointSize = 5.0
     return document
-
-
-def arc(center, radius, first, last):
-    circle = Part.Circle(center, V(0, 0, 1), radius)
-    return Part.ArcOfCircle(circle, math.radians(first), math.radians(last))
 
 
 def analyze(document, *targets):

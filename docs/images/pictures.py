@@ -1,5 +1,6 @@
 """What the scripts that draw the pictures of the documentation have in common."""
 
+import math
 import os
 import sys
 import time
@@ -7,6 +8,7 @@ import traceback
 
 import FreeCAD
 import FreeCADGui
+import Part
 
 from osculate.gui import preferences
 from osculate.gui.qt import QtCore, QtGui, QtWidgets
@@ -59,6 +61,18 @@ def look(document, view_name, magnified=1.0):
     height = view.getCameraNode().height
     height.setValue(height.getValue() / magnified)
     pump()
+
+
+def ink(document):
+    """Draws all curves of a document plainly."""
+    for obj in document.Objects:
+        obj.ViewObject.LineWidth = 3.0
+        obj.ViewObject.LineColor = INK
+
+
+def arc(center, radius, first, last):
+    circle = Part.Circle(center, V(0, 0, 1), radius)
+    return Part.ArcOfCircle(circle, math.radians(first), math.radians(last))
 
 
 def set_background(color):

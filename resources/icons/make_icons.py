@@ -13,7 +13,7 @@ from pathlib import Path
 FOLDER = Path(__file__).resolve().parent
 
 FIRST, SECOND, NEUTRAL = "#e8860c", "#a24bd8", "#7c8794"
-COMB = "#1c86d1"
+COMB, POLYGON = "#1c86d1", "#c98a00"
 GOOD, UNDECIDED = "#2f9e44", "#8250c4"
 ORDER_COLORS = ["#e8590c", "#b98900", "#3f8f29", "#0f8a8a"] + 5 * ["#2468d8"]
 GAP, ERROR = "#d6293e", "#6b7280"
@@ -125,6 +125,18 @@ def command_icons():
                                                     (24, 29, 24, 6), (30.5, 30, 33, 9),
                                                     (36.5, 34, 40, 18))),
                            stroke("M2.5 36 C5 14 14 6 24 6 C34 6 43 14 45.5 36", COMB, 3.4)),
+        "control-polygons": (
+            stroke("M6 41 C8 -4 40 -4 42 41", NEUTRAL, 4.6),
+            stroke("M6 41 L8 7 L40 7 L42 41", POLYGON, 3),
+            dot(8, 7, 4, POLYGON, "#ffffff", 1.6), dot(40, 7, 4, POLYGON, "#ffffff", 1.6),
+            *(f'<rect x="{x}" y="36" width="9" height="9" fill="{COMB}" stroke="#ffffff"'
+              ' stroke-width="1.6"/>' for x in (2, 37))),
+        "probe": (
+            f'<circle cx="24" cy="17" r="13" fill="none" stroke="{POLYGON}" stroke-width="2.8"/>',
+            stroke("M3 16 C6 27 14 30 24 30 C34 30 42 34 45 44", NEUTRAL, 4.6),
+            stroke("M24 30 H41 M37 26 L41.5 30 L37 34", "#e5484d", 3.2),
+            stroke("M24 30 V13 M20 17 L24 12.5 L28 17", GOOD, 3.2),
+            dot(24, 30, 4.4, *NODE)),
         "keep": pin,
     }
 

@@ -639,6 +639,43 @@
         <source>What is left out, in sentences</source>
         <translation>Was ausgelassen ist, in Sätzen</translation>
     </message>
+    <message>
+        <source>Whether the weights of rational segments stand at their poles</source>
+        <extracomment>[0, 1], shortened to a part of the size of the curves.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the first differences Δb of the poles are drawn as arrows</source>
+        <translation>Ob die ersten Differenzen Δb der Kontrollpunkte als Pfeile gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Whether the second differences Δ²b of the poles are drawn as arrows</source>
+        <translation>Ob die zweiten Differenzen Δ²b der Kontrollpunkte als Pfeile gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Whether differences are drawn as they are, or as poles of derivatives</source>
+        <translation>Ob Differenzen gezeichnet werden, wie sie sind, oder als Kontrollpunkte der Ableitungen</translation>
+    </message>
+    <message>
+        <source>Whether the view explains what is drawn</source>
+        <translation>Ob die Ansicht erklärt, was gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Number of Bézier segments</source>
+        <translation>Anzahl der Bézier-Segmente</translation>
+    </message>
+    <message>
+        <source>Number of those that are rational</source>
+        <translation>Anzahl der rationalen darunter</translation>
+    </message>
+    <message>
+        <source>The degrees of the segments, each once</source>
+        <translation>Die Grade der Segmente, jeder einmal</translation>
+    </message>
+    <message>
+        <source>Number of poles of all segments</source>
+        <translation>Anzahl der Kontrollpunkte aller Segmente</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
@@ -670,7 +707,7 @@
     </message>
     <message>
         <source>{} has no inner knot {} (it has {}).</source>
-        <extracomment>An end that meets no other is joined with those within this multiple of the gap tolerance.</extracomment>
+        <extracomment>Ends as the document stores them; None lets the analysis take the nearest.</extracomment>
         <translation>{} hat keinen inneren Knoten {} (nur {}).</translation>
     </message>
     <message>
@@ -2239,6 +2276,86 @@ What a solid from points begins with, in mm.</extracomment>
         <source>What is selected counts as well</source>
         <translation>Das Ausgewählte zählt auch dazu</translation>
     </message>
+    <message>
+        <source>Control polygons</source>
+        <translation>Kontrollpolygone</translation>
+    </message>
+    <message>
+        <source>weights of rational segments</source>
+        <translation>Gewichte rationaler Segmente</translation>
+    </message>
+    <message>
+        <source>first differences Δb</source>
+        <translation>erste Differenzen Δb</translation>
+    </message>
+    <message>
+        <source>second differences Δ²b</source>
+        <translation>zweite Differenzen Δ²b</translation>
+    </message>
+    <message>
+        <source>as they are</source>
+        <translation>wie sie sind</translation>
+    </message>
+    <message>
+        <source>as derivatives: n Δb, n (n−1) Δ²b</source>
+        <translation>als Ableitungen: n Δb, n (n−1) Δ²b</translation>
+    </message>
+    <message>
+        <source>As derivatives they are the poles of the derivatives of each segment of degree n over [0, 1], drawn shorter; rational segments have none</source>
+        <translation>Als Ableitungen sind sie die Kontrollpunkte der Ableitungen jedes Segments vom Grad n über [0, 1], verkürzt gezeichnet; rationale Segmente haben keine</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Differenzen</translation>
+    </message>
+    <message>
+        <source>degree {}, {}</source>
+        <translation>Grad {}, {}</translation>
+    </message>
+    <message>
+        <source>segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>poles</source>
+        <translation>Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>end of a segment</source>
+        <translation>Ende eines Segments</translation>
+    </message>
+    <message>
+        <source>inner pole</source>
+        <translation>innerer Kontrollpunkt</translation>
+    </message>
+    <message>
+        <source>all weights are 1</source>
+        <translation>alle Gewichte sind 1</translation>
+    </message>
+    <message>
+        <source>{} weights not shown</source>
+        <translation>{} Gewichte nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>1 segment, degree {}</source>
+        <translation>1 Segment, Grad {}</translation>
+    </message>
+    <message>
+        <source>{} segments, degree {}</source>
+        <translation>{} Segmente, Grad {}</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie sie ist</translation>
+    </message>
+    <message>
+        <source>none of {} rational segments</source>
+        <translation>keine von {} rationalen Segmenten</translation>
+    </message>
 </context>
 <context>
     <name>OsculatePreferences</name>
@@ -2372,10 +2489,23 @@ Wählen Sie zwei Kanten, oder klicken Sie zuerst und wählen dann.</translation>
     </message>
 </context>
 <context>
+    <name>Osculate_ControlPolygons</name>
+    <message>
+        <source>Control polygons</source>
+        <extracomment>the class of the panel</extracomment>
+        <translation>Kontrollpolygone</translation>
+    </message>
+    <message>
+        <source>Draws the control polygon of every Bézier segment of curves, with weights and differences on demand; it stays in the document and follows every edit.
+Select edges, faces, sketches or whole objects.</source>
+        <translation>Zeichnet das Kontrollpolygon jedes Bézier-Segments von Kurven, auf Wunsch mit Gewichten und Differenzen; es bleibt im Dokument und folgt jeder Änderung.
+Kanten, Flächen, Skizzen oder ganze Objekte auswählen.</translation>
+    </message>
+</context>
+<context>
     <name>Osculate_CurvatureComb</name>
     <message>
         <source>Curvature comb</source>
-        <extracomment>the class of the panel</extracomment>
         <translation>Krümmungskamm</translation>
     </message>
     <message>

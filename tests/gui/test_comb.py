@@ -209,6 +209,15 @@ class PanelTest(CombCase):
         self.assertAlmostEqual(scale_of(obj), -before * 10 ** -0.4, delta=1e-6 * before)
         self.finish("Cancel")
 
+    def test_check_boxes_switch_parts(self):
+        form = self.run_on((self.wave, "Edge1"))
+        for name in ("Teeth", "Marks"):
+            self.click(form.boxes[name])
+            self.assertFalse(getattr(self.doc.CurvatureComb, name))
+        self.click(form.boxes["Teeth"])
+        self.assertTrue(self.doc.CurvatureComb.Teeth)
+        self.finish("Ok")
+
     def test_ctrl_and_wheel_in_the_view_scale(self):
         self.run_on((self.wave, "Edge1"))
         obj = self.doc.CurvatureComb

@@ -107,7 +107,7 @@ def automatic_scale(combs, quantity, size=None):
     reference = max((usual_largest(comb, quantity) for comb in combs), default=0.0)
     if is_rounding(reference, quantity, size):
         return None
-    return _nice(_LONGEST * size / reference)
+    return nice(_LONGEST * size / reference)
 
 
 def is_rounding(magnitude, quantity, size):
@@ -143,7 +143,7 @@ def _weights(comb):
     return 0.5 * (numpy.append(steps, 0.0) + numpy.append(0.0, steps))
 
 
-def _nice(number):
+def nice(number):
     """The largest of 1, 2, 5 times a power of ten that is not above a number."""
     power = 10.0 ** math.floor(math.log10(number))
     return power * max(step for step in (1.0, 2.0, 5.0) if step <= number / power * (1 + 1e-12))

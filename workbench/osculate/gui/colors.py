@@ -14,6 +14,10 @@ MADE = "#2f9e44"
 #: Tangent, normal, binormal.
 FRAME = ("#e5484d", "#2f9e44", "#3b82f6")
 
+#: Of control polygons: legs with inner poles, ends of segments, first and second differences.
+POLYGON, POLYGON_ENDS = "#c98a00", "#1c86d1"
+DIFFERENCES = ("#009e73", "#b8689a")
+
 UNDECIDED = "#8250c4"
 ERROR = "#6b7280"
 

@@ -6,6 +6,7 @@ from importlib import import_module
 from osculate.features import views
 from osculate.features.bezier_solid import BezierSolid
 from osculate.features.blend_curve import BlendCurve
+from osculate.features.control_polygons import ControlPolygons
 from osculate.features.curvature_comb import CurvatureComb
 from osculate.features.extended_curve import ExtendedCurve
 from osculate.features.interpolated_curve import InterpolatedCurve
@@ -34,6 +35,7 @@ def register(gui):
 _VIEWS = {
     JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
     BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
+    ControlPolygons: ("osculate.gui.polygons_view", "ControlPolygonsView"),
     CurvatureComb: ("osculate.gui.comb_view", "CurvatureCombView"),
     ExtendedCurve: ("osculate.gui.construct.extend_view", "ExtendedCurveView"),
     MatchedCurve: ("osculate.gui.construct.match_view", "MatchedCurveView"),

@@ -6,6 +6,7 @@ They need no GUI and run as well inside FreeCAD's own test framework, which want
 from osculate.features.selftest.bezier_solid_test import BezierSolidTest
 from osculate.features.selftest.blend_curve_test import BlendCurveTest
 from osculate.features.selftest.control_net_test import ControlNetTest, NetTextTest
+from osculate.features.selftest.control_polygons_test import ControlPolygonsTest
 from osculate.features.selftest.curvature_comb_test import CurvatureCombTest
 from osculate.features.selftest.extended_curve_test import ExtendedCurveTest
 from osculate.features.selftest.interpolated_curve_test import InterpolatedCurveTest
@@ -15,6 +16,7 @@ from osculate.features.selftest.matched_curve_test import MatchedCurveTest
 from osculate.features.selftest.solid_brep_test import SolidBRepTest
 from osculate.features.selftest.solid_contact_test import SolidContactTest
 
-__all__ = ["BezierSolidTest", "BlendCurveTest", "ControlNetTest", "CurvatureCombTest",
-           "ExtendedCurveTest", "InterpolatedCurveTest", "JoinCheckTest", "JoinedCurveTest",
-           "JoinsTest", "MatchedCurveTest", "NetTextTest", "SolidBRepTest", "SolidContactTest"]
+__all__ = ["BezierSolidTest", "BlendCurveTest", "ControlNetTest", "ControlPolygonsTest",
+           "CurvatureCombTest", "ExtendedCurveTest", "InterpolatedCurveTest", "JoinCheckTest",
+           "JoinedCurveTest", "JoinsTest", "MatchedCurveTest", "NetTextTest", "SolidBRepTest",
+           "SolidContactTest"]

@@ -53,6 +53,7 @@ def dot(color):
 _SYMBOLS = {
     "circle": None,
     "diamond": ((0.0, -1.2), (1.2, 0.0), (0.0, 1.2), (-1.2, 0.0)),
+    "square": ((-0.95, -0.95), (0.95, -0.95), (0.95, 0.95), (-0.95, 0.95)),
     "triangle": ((0.0, -1.1), (1.1, 0.9), (-1.1, 0.9)),
     "bar": ((-0.15, -1.3), (0.15, -1.3), (0.15, 1.3), (-0.15, 1.3)),
     "cross": ((-1.0, -1.0), (0.0, -0.35), (1.0, -1.0), (0.35, 0.0), (1.0, 1.0), (0.0, 0.35),
@@ -62,7 +63,7 @@ _SYMBOL_RADIUS = 5.0
 
 
 def symbol(kind, color, is_filled=True):
-    """A small "circle", "diamond", "triangle", "bar" or "cross", filled or hollow, with a rim."""
+    """A small symbol of _SYMBOLS, "circle" for one, filled or hollow, with a rim."""
     size = 2.0 * _SYMBOL_RADIUS + 8.0
     picture = canvas(size, size)
     painter = painter_on(picture)

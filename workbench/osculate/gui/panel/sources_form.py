@@ -56,9 +56,12 @@ class SourcesForm(QtWidgets.QWidget):
         boxes = {}
         for name, text in texts.items():
             boxes[name] = box = QtWidgets.QCheckBox(text)
-            box.clicked.connect(lambda on, name=name: self.edited.emit({name: on}, True))
+            box.clicked.connect(self._switch(name, box))
             self.rows.addRow("" if len(boxes) > 1 else label, box)
         return boxes
+
+    def _switch(self, name, box):
+        return lambda: self.edited.emit({name: box.isChecked()}, True)
 
     def show_parts(self, has_object):
         """Shows what changes the object only where there is one."""

@@ -101,7 +101,7 @@ def _texts(solid, with_indices, with_weights):
     if not (with_indices or with_weights):
         return {}
     texts = {}
-    for numbers_here in _together(solid.points):
+    for numbers_here in together(solid.points):
         last = numbers_here[-1]
         parts = [name_of(solid.degree, last)] if with_indices else []
         if with_weights:
@@ -113,7 +113,7 @@ def _texts(solid, with_indices, with_weights):
     return texts
 
 
-def _together(points):
+def together(points):
     """The numbers of the points, those in one place together."""
     places = {}
     scale = _SAME * max(float(numpy.ptp(points, axis=0).max()), 1e-300)
