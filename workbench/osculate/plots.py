@@ -5,8 +5,8 @@ from typing import NamedTuple, Optional
 import numpy
 
 from osculate import _core, analysis, shapes
-from osculate.chains import chains_of
-from osculate.combs import COMB_QUANTITIES, comb
+from osculate.combs import COMB_QUANTITIES
+from osculate.travels import CurveTravel
 
 #: What a plot shows if nothing else is asked for.
 PLOT_QUANTITIES = ("curvature", "torsion", "curvature_rate", "curvature_rate2")
@@ -33,27 +33,14 @@ class PlotPoint(NamedTuple):
     geometry: object  #: PointGeometry there, in the direction of the plot
 
 
-class CurvePlot:
+class CurvePlot(CurveTravel):
     """Curves put one behind the other, sampled by arc length; see curve_plot.
 
     Arrays have a row for each sample. Numbers of curves are those of the list that was given.
     """
 
     def __init__(self, curves, quantities, order, tolerances, density):
-        self.quantities = quantities
-        self.chains = chains_of(curves, tolerances)
-        self.order = [link.curve for chain in self.chains for link in chain.links]
-        self._reversed = [link.is_reversed for chain in self.chains for link in chain.links]
-        self._ranges = [curves[number].parameter_range for number in self.order]
-        self.curves = [curves[number].reversed() if is_reversed else curves[number]
-                       for number, is_reversed in zip(self.order, self._reversed)]
-        self.comb = comb(self.curves, density=density, quantities=quantities)
-        self.starts = numpy.concatenate(([0.0], numpy.cumsum(self.comb.lengths)))
-        self.length = float(self.starts[-1])
-        self.places = numpy.zeros(len(self.comb.parameter), int)
-        for first, last, place in self.comb.runs:
-            self.places[first:last + 1] = place
-        self.s = self.starts[self.places] + self.comb.arc_length
+        super().__init__(curves, quantities, tolerances, density)
         self.joins = tuple(_Joins(self, order, tolerances).find())
 
     def series(self, quantity):
@@ -69,27 +56,9 @@ class CurvePlot:
         join the side that leaves it.
         """
         s = min(max(float(s), 0.0), self.length)
-        place = int(numpy.searchsorted(self.starts[1:-1], s, "right"))
-        curve = self.curves[place]
-        length = min(s - self.starts[place], self.comb.lengths[place])
-        parameter = curve.parameter_at_length(min(length, curve.length()))
-        return PlotPoint(s, self.order[place], self._own_parameter(place, parameter),
-                         curve.geometry(parameter))
-
-    def _own_parameter(self, place, parameter):
-        """The parameter of a curve as it was given, from that in the direction of the plot."""
-        first, last = self._ranges[place]
-        own = first + last - parameter if self._reversed[place] else parameter
-        return float(min(max(own, first), last))
-
-    def own_parameters(self):
-        """(n,) parameters of the samples, of each curve as it was given."""
-        own = self.comb.parameter.copy()
-        for place in numpy.flatnonzero(self._reversed):
-            members = self.places == place
-            own[members] = numpy.clip(sum(self._ranges[place]) - own[members],
-                                      *self._ranges[place])
-        return own
+        place, parameter = self.place_at(s)
+        return PlotPoint(s, self.order[place], self.own_parameter(place, parameter),
+                         self.curves[place].geometry(parameter))
 
     def draw(self, figure, **options):
         """Draws on a matplotlib.figure.Figure, which is cleared; see PlotDrawing.show. Returns the
