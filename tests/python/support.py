@@ -1,6 +1,7 @@
 """What the tests of this folder share: curves, and what they may find beside a checkout."""
 import gc
 import os
+import sys
 import threading
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -17,6 +18,9 @@ except ImportError:
     FreeCAD = Part = None
 
 SHARED = Path(os.environ.get("OSCULATE_SHARED_DIR", Path(__file__).parents[3] / "shared"))
+
+#: A plain Python, from within FreeCAD too.
+PYTHON = sys.executable if Path(sys.executable).name.startswith("python") else "/usr/bin/python3"
 
 ALLOWED_GROWTH = 2 ** 20  # bytes; 100,000 leaks of the smallest object are over five of these
 

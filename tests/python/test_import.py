@@ -1,16 +1,15 @@
 """Importing osculate: what to do when the compiled module is missing, foreign or broken."""
 import shutil
 import subprocess
-import sys
 import sysconfig
 import tempfile
 import unittest
 from pathlib import Path
 
 import osculate
+from support import PYTHON
 
 PACKAGE = Path(osculate.__file__).parent
-PYTHON = sys.executable if Path(sys.executable).name.startswith("python") else "/usr/bin/python3"
 
 
 class ImportTest(unittest.TestCase):

@@ -1,6 +1,8 @@
 """All joins of a model at once."""
 
+import copy
 import json
+import operator
 import os
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -45,12 +47,25 @@ def audit(shape_or_path, *, order=4, tolerances=None, progress=None, pairs="all"
     raised.
     """
     options = _core.AuditOptions(order, tolerances, pairs, corner_deg, touch_mm, threads)
+    choices = _choices(order, tolerances, pairs, corner_deg, touch_mm)
     if isinstance(shape_or_path, (str, os.PathLike)):
         path = os.fspath(shape_or_path)
         with open(path, "rb"):  # the errors of Python for what is no file
             pass
-        return AuditReport(_core.audit_file(os.fsencode(path), options, progress), path)
-    return AuditReport(shapes.audit_table(shape_or_path, options, progress), None)
+        return AuditReport(_core.audit_file(os.fsencode(path), options, progress), path, choices)
+    table = shapes.audit_table(shape_or_path, options, progress)
+    return AuditReport(table, None, choices, shapes.alias_of(shape_or_path))
+
+
+def _choices(order, tolerances, pairs, corner_deg, touch_mm):
+    """The options of an audit as the schema osculate.audit/1 has them."""
+    if not isinstance(tolerances, _core.Tolerances):
+        tolerances = _core.Tolerances.preset(tolerances or "osculate")
+    fields = ("gap_mm", "angle_deg", "curvature", "third", "fourth")
+    return {"order": int(order), "preset": tolerances.name,
+            "tolerances": {field: getattr(tolerances, field) for field in fields},
+            "scale_mm": None, "pairs": pairs, "touch_mm": float(touch_mm),
+            "corner_deg": float(corner_deg) if pairs == "tangent" else None}
 
 
 class AuditColumns(NamedTuple):
@@ -76,14 +91,21 @@ class SkippedEdge(NamedTuple):
 class AuditReport:
     """What an audit found; made by audit(). str() is a summary with the ten worst joins."""
 
-    def __init__(self, table, source):
+    def __init__(self, table, source, options, shape=None):
         self._table = table
         self._source = source
+        self._options = options
+        self._shape = shape
 
     @property
     def source(self):
         """The path of the file, or None for a shape."""
         return self._source
+
+    @property
+    def options(self):
+        """What was asked for: a dict as `options` of the schema osculate.audit/1."""
+        return copy.deepcopy(self._options)
 
     @property
     def rows(self):
@@ -150,6 +172,41 @@ class AuditReport:
         """Writes the report as JSON, schema osculate.audit/1. Errors as for to_csv."""
         with replacing(path) as file:
             self._table.write_json(file.write)
+
+    def to_html(self, path, *, title=None, worst=12, shape=None, pictures=()):
+        """Writes the report as one page: an HTML file that needs no other, light or dark as the
+        reader has it, and fit for printing. It has what was audited and how, how many joins of each
+        order there are, the model with its joins, and the worst rows with a close-up each.
+
+        title: the name of what was audited; None: that of the file, or "Shape".
+        worst: how many rows the table has; None: all. The first 200 have a close-up.
+        shape: the audited shape, of a report of a file. Without it the edges that have no join are
+            missing in the picture of the model; a report of a shape has it.
+        pictures: further PNG, JPEG or SVG files to put into the page: paths, or pairs of a path and
+            a caption.
+
+        Raises TypeError and ValueError that name the argument; OSError for a picture that cannot be
+        read, and where the page cannot be written; the old file then stays.
+        """
+        from osculate.page.audit_page import audit_page
+        worst = len(self._table) if worst is None else operator.index(worst)
+        if worst < 0:
+            raise ValueError(f"worst: must be 0 or more, got {worst}")
+        text = audit_page(self, self._checked(shape), title, worst, pictures)
+        with replacing(path) as file:
+            file.write(text)
+
+    def _checked(self, shape):
+        """The shape to draw; raises what is wrong with it."""
+        if shape is None:
+            return self._shape
+        if not shapes.is_shape(shape) or shape.isNull():
+            raise TypeError("shape: must be the Part.Shape that was audited, got "
+                            f"{shapes.described(shape, 'a shape')}")
+        if len(shape.Edges) != self.edge_count:
+            raise ValueError(f"shape: has {len(shape.Edges)} edges, but the report is of a model "
+                             f"of {self.edge_count}")
+        return shape
 
     def __str__(self):
         return self._table.text(10).rstrip("\n")

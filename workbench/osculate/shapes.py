@@ -31,7 +31,7 @@ def curve_from_edge(edge):
     throws.
     """
     if not is_edge(edge):
-        raise TypeError(f"edge: a Part.Edge is needed, got {_described(edge, 'an edge')}")
+        raise TypeError(f"edge: a Part.Edge is needed, got {described(edge, 'an edge')}")
     return _handed_over(edge, "curve_from_proxy", "curve_from_binary")
 
 
@@ -42,7 +42,7 @@ def audit_table(shape, options, progress):
     """
     if not is_shape(shape):
         raise TypeError("shape_or_path: a Part.Shape or the path of a STEP, IGES or BREP file is "
-                        f"needed, got {_described(shape, 'a shape')}")
+                        f"needed, got {described(shape, 'a shape')}")
     if shape.isNull():
         raise ValueError("shape_or_path: the shape is null (empty)")
     return _handed_over(shape, "audit_proxy", "audit_binary", options, progress)
@@ -56,7 +56,7 @@ def edge_from_curve(curve):
     ImportError where there is no FreeCAD.
     """
     if not isinstance(curve, _core.Curve):
-        raise TypeError(f"curve: an osculate.Curve is needed, got {_described(curve, 'a curve')}")
+        raise TypeError(f"curve: an osculate.Curve is needed, got {described(curve, 'a curve')}")
     import Part
     multiplicities = curve.multiplicities.tolist()
     if max(multiplicities[1:-1], default=1) > curve.degree:
@@ -81,7 +81,7 @@ def solid_from_tetrahedron(solid):
     """
     if not isinstance(solid, _core.BezierTetrahedron):
         raise TypeError("solid: an osculate.BezierTetrahedron is needed, got "
-                        f"{_described(solid, 'a solid')}")
+                        f"{described(solid, 'a solid')}")
     import Part
     with _temporary_file() as path:
         _core.solid_to_binary(solid, path)
@@ -96,7 +96,7 @@ def curve_from(value, name):
         return value
     if not is_edge(value):
         raise TypeError(f"{name}: a Part.Edge or an osculate.Curve is needed, got "
-                        f"{_described(value, 'an edge')}")
+                        f"{described(value, 'an edge')}")
     try:
         return curve_from_edge(value)
     except ValueError as error:
@@ -111,7 +111,7 @@ def curves_from(values, name):
     is_one = isinstance(values, _core.Curve) or is_edge(values)
     if is_one or isinstance(values, str) or not hasattr(values, "__iter__"):
         raise TypeError(f"{name}: a list of Part.Edge or osculate.Curve, or a Part.Wire, is "
-                        f"needed, got {_described(values, 'a list')}")
+                        f"needed, got {described(values, 'a list')}")
     return [curve_from(value, f"{name}[{i}]") for i, value in enumerate(values)]
 
 
@@ -132,7 +132,7 @@ def edges_in_order(wire):
     """
     part = sys.modules.get("Part")
     if part is None or not isinstance(wire, part.Wire):
-        raise TypeError(f"wire: a Part.Wire is needed, got {_described(wire, 'a wire')}")
+        raise TypeError(f"wire: a Part.Wire is needed, got {described(wire, 'a wire')}")
     if wire.isNull():
         raise ValueError("wire: the shape is null (empty)")
     edges = wire.OrderedEdges
@@ -141,6 +141,14 @@ def edges_in_order(wire):
         raise ValueError(f"wire: its edges are no chain; {missing} of {len(wire.Edges)} do not "
                          "follow from the first ones through shared vertices")
     return [edge for edge in edges if not edge.Degenerated]
+
+
+def alias_of(shape):
+    """The same shape in an object of its own: what is done to the other object, as moving it, is
+    not done to this one.
+    """
+    import Part
+    return Part.Compound([shape])
 
 
 def is_shape(value):
@@ -157,7 +165,7 @@ def is_edge(value):
             or (not value.isNull() and value.ShapeType == "Edge"))
 
 
-def _described(value, wanted):
+def described(value, wanted):
     """What a person calls the value, with advice where it is a shape that has edges."""
     part = sys.modules.get("Part")
     if part is None or not isinstance(value, part.Shape):

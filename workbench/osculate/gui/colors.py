@@ -1,12 +1,9 @@
 """The colours of Osculate, the same in icons, panels and the 3D view."""
 
-from osculate.palette import GAP, ORDERS, QUANTITIES, of_order
+from osculate.palette import GAP, ORDERS, QUANTITIES, SIDES, UNDECIDED, of_order
 
 __all__ = ["ERROR", "FRAME", "GAP", "MADE", "ORDERS", "QUANTITIES", "SIDES", "UNDECIDED",
            "VERDICT_TEXT", "of_order"]
-
-#: The two sides of a join: arriving and leaving.
-SIDES = ("#e8860c", "#a24bd8")
 
 #: What is constructed from them.
 MADE = "#2f9e44"
@@ -18,7 +15,6 @@ FRAME = ("#e5484d", "#2f9e44", "#3b82f6")
 POLYGON, POLYGON_ENDS = "#c98a00", "#1c86d1"
 DIFFERENCES = ("#009e73", "#b8689a")
 
-UNDECIDED = "#8250c4"
 ERROR = "#6b7280"
 
 #: Text of a verdict on light and on dark widgets.
