@@ -37,6 +37,7 @@ def main():
     draw_overlay()
     draw_blend()
     draw_handles()
+    draw_porcupine()
     draw_join()
     draw_interpolate()
     draw_extend()
@@ -192,6 +193,19 @@ def draw_handles():
     save_view(document, "handles", 900, 420)
     FreeCADGui.Control.closeDialog()
     set_background(LIGHT)
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_porcupine():
+    """porcupine.png: the combs of a blend and of both its neighbours in one scale."""
+    document = open_curves(Left=((0, 0, 0), (5, 40, 0), (20, 70, 0), (55, 85, 0)),
+                           Right=((130, 88, 0), (165, 78, 0), (190, 50, 0), (200, 0, 0)))
+    look(document, "viewTop", 0.9)
+    form = blend(document)
+    form.combs.setChecked(True)
+    pump()
+    grab("porcupine")
+    FreeCADGui.Control.closeDialog()
     FreeCAD.closeDocument(document.Name)
 
 

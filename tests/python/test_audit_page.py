@@ -72,6 +72,13 @@ class ShapeTest(PageCase):
         kinds = self.report.summary["kinds"]
         self.assertIn(f"{kinds['vertex']} at vertices, {kinds['knot']} at inner knots", facts)
 
+    def test_is_reproducible(self):
+        with mock.patch.dict(os.environ, SOURCE_DATE_EPOCH="1000000000"):
+            texts = {self.page(audit(self.shape)).text for _ in range(2)}
+        self.assertEqual(len(texts), 1)
+        self.assertIn("2001-09-09 01:46 +0000 · osculate", texts.pop())
+        self.assertNotIn("2001-09-09", self.page(self.report).text)
+
     def test_numbers_of_rows(self):
         shape = Part.makePolygon([FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 0, 0), (10, 5, 0))])
         page = self.page(audit(shape))

@@ -1,5 +1,6 @@
 """The page: what was audited, how many joins of each order, the model, and the worst joins."""
 
+import os
 import sys
 import time
 
@@ -54,7 +55,15 @@ def _heading(report, title):
     yield tag("h1", f"Audit of {title}")
     if report.source:
         yield tag("p", report.source, class_="facts")
-    yield tag("p", " · ".join([time.strftime("%Y-%m-%d %H:%M %z"), *_programs()]), class_="facts")
+    yield tag("p", " · ".join([_date(), *_programs()]), class_="facts")
+
+
+def _date():
+    """Now, or what SOURCE_DATE_EPOCH says (https://reproducible-builds.org/specs/source-date-epoch)
+    """
+    given = os.environ.get("SOURCE_DATE_EPOCH", "")
+    moment = time.gmtime(int(given)) if given.isdecimal() else time.localtime()
+    return time.strftime("%Y-%m-%d %H:%M %z", moment)
 
 
 def _programs():
