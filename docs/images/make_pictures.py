@@ -18,6 +18,7 @@ from osculate.gui.construct.joined_form import JoinedForm
 from osculate.gui.construct.extend_form import ExtendForm
 from osculate.gui.construct.match_form import MatchForm
 from osculate.gui.panel.panel_form import PanelForm
+from osculate.gui.plot.plot_dock import show_dock
 from osculate.gui.preferences_page import PreferencesPage
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
@@ -43,6 +44,7 @@ def main():
     draw_extend()
     draw_match()
     draw_comb()
+    draw_plot()
     draw_preferences()
 
 
@@ -299,6 +301,22 @@ def draw_comb():
     look(document, "viewTop", 1.1)
     grab("comb")
     FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_plot():
+    """plot.png: the plot of a profile in its dock, the cursor in it and in the view."""
+    document = open_profile()
+    look(document, "viewTop", 0.9)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(document.Name, "Profile")
+    dock = show_dock()
+    dock.resize(dock.width(), 430)
+    pump()
+    FreeCADGui.Selection.clearSelection()
+    dock.point_at(165.0)
+    grab("plot", dock.objectName())
+    dock.close()
     FreeCAD.closeDocument(document.Name)
 
 

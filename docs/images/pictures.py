@@ -93,15 +93,17 @@ def widen_tree():
     pump()
 
 
-def hide_docks():
-    """Leaves only the tree and the panel; the report view opens by itself where it warns."""
+def hide_docks(*others):
+    """Leaves only the tree, the panel and others that are named; the report view opens by itself
+    where it warns.
+    """
     for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
-        dock.setVisible(dock.objectName() in ("Combo View", "Tasks"))
+        dock.setVisible(dock.objectName() in ("Combo View", "Tasks", *others))
 
 
-def grab(name):
-    """The window as the screen shows it."""
-    hide_docks()
+def grab(name, *docks):
+    """The window as the screen shows it, with the docks that are named."""
+    hide_docks(*docks)
     pump()
     size = FreeCADGui.getMainWindow().size()
     screen = QtGui.QGuiApplication.primaryScreen()

@@ -137,6 +137,10 @@ def command_icons():
             stroke("M24 30 H41 M37 26 L41.5 30 L37 34", "#e5484d", 3.2),
             stroke("M24 30 V13 M20 17 L24 12.5 L28 17", GOOD, 3.2),
             dot(24, 30, 4.4, *NODE)),
+        "curve-plot": (stroke("M7 5 V41 H44", NEUTRAL, 4.2),
+                       stroke("M28 9 V36", SECOND, 3, ' stroke-dasharray="1 6"'),
+                       stroke("M13 33 C16 17 23 13 28 17", COMB, 4.4),
+                       stroke("M28 27 C33 35 37 32 43 20", COMB, 4.4), dot(28, 17, 3.6, *NODE)),
         "keep": pin,
     }
 

@@ -642,7 +642,7 @@
     <message>
         <source>Whether the weights of rational segments stand at their poles</source>
         <extracomment>[0, 1], shortened to a part of the size of the curves.</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Gewichte rationaler Segmente an ihren Polen stehen</translation>
     </message>
     <message>
         <source>Whether the first differences Δb of the poles are drawn as arrows</source>
@@ -862,6 +862,7 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Follow the selection</source>
+        <extracomment>the PlotCanvas, once there was something to plot</extracomment>
         <translation>Der Auswahl folgen</translation>
     </message>
     <message>
@@ -2278,6 +2279,7 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Control polygons</source>
+        <extracomment>the arc length at the mouse, None where it left the curves</extracomment>
         <translation>Kontrollpolygone</translation>
     </message>
     <message>
@@ -2355,6 +2357,61 @@ What a solid from points begins with, in mm.</extracomment>
     <message>
         <source>none of {} rational segments</source>
         <translation>keine von {} rationalen Segmenten</translation>
+    </message>
+    <message>
+        <source>Curve plot</source>
+        <extracomment>whether somebody listens</extracomment>
+        <translation>Kurvenverlauf</translation>
+    </message>
+    <message>
+        <source>The edges must be in one document.</source>
+        <extracomment>the cursor stays where it is</extracomment>
+        <translation>Die Kanten müssen in einem Dokument liegen.</translation>
+    </message>
+    <message>
+        <source>Save the plot</source>
+        <translation>Den Verlauf speichern</translation>
+    </message>
+    <message>
+        <source>Select edges, faces, sketches or whole objects to plot them.</source>
+        <translation>Kanten, Flächen, Skizzen oder ganze Objekte auswählen, um ihren Verlauf zu sehen.</translation>
+    </message>
+    <message>
+        <source>Lock scale</source>
+        <translation>Maßstab festhalten</translation>
+    </message>
+    <message>
+        <source>Keeps the scale of the values. Ctrl and the mouse wheel change it</source>
+        <translation>Behält den Maßstab der Werte bei. Strg und das Mausrad ändern ihn</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Shows the whole length, as a double-click does. The mouse wheel zooms, dragging moves</source>
+        <translation>Zeigt die ganze Länge, wie ein Doppelklick. Das Mausrad vergrößert, Ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>Save the plot as SVG, PDF or PNG, or its values as CSV</source>
+        <translation>Den Verlauf als SVG, PDF oder PNG speichern, oder seine Werte als CSV</translation>
+    </message>
+    <message>
+        <source>Move the mouse along the curve, here or in the 3D view.</source>
+        <translation>Die Maus entlang der Kurve führen, hier oder in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>Only {} of {} edges are plotted.</source>
+        <extracomment>why something is not plotted, in sentences</extracomment>
+        <translation>Nur {} von {} Kanten sind gezeichnet.</translation>
+    </message>
+    <message>
+        <source>cut, up to {}</source>
+        <translation>abgeschnitten, bis {}</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -2513,6 +2570,19 @@ Kanten, Flächen, Skizzen oder ganze Objekte auswählen.</translation>
 Select edges, faces, sketches or whole objects.</source>
         <translation>Zeigt Krümmung, Torsion oder deren Änderung entlang von Kurven als Kamm, der im Dokument bleibt und jeder Änderung folgt.
 Wählen Sie Kanten, Flächen, Skizzen oder ganze Objekte.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_CurvePlot</name>
+    <message>
+        <source>Curve plot</source>
+        <translation>Kurvenverlauf</translation>
+    </message>
+    <message>
+        <source>Plots curvature, torsion and their rates over the arc length of what is selected, with every join and its order.
+Select edges, faces, sketches or whole objects.</source>
+        <translation>Zeichnet Krümmung, Torsion und ihre Änderungen über der Bogenlänge des Ausgewählten, mit jedem Übergang und seiner Ordnung.
+Kanten, Flächen, Skizzen oder ganze Objekte auswählen.</translation>
     </message>
 </context>
 <context>

@@ -10,7 +10,7 @@ import numpy
 
 try:
     import matplotlib
-    from matplotlib.ticker import FuncFormatter, MaxNLocator
+    from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
     from matplotlib.transforms import blended_transform_factory
 except ImportError as error:
     raise ImportError("curve plots are drawn with matplotlib, which is not installed (Debian: "
@@ -32,8 +32,9 @@ _LEAST_SPAN, _MARGIN = 0.05, 0.08
 #: What is drawn of joins: width, style.
 _LINES = {"join": (1.6, "-"), "closing": (1.6, "-"), "knot": (0.7, "-"), "gap": (1.6, (0, (3, 3)))}
 
-#: Margins around the axes and between them, in points; for each point of the text size.
-_LEFT, _RIGHT, _BOTTOM, _TOP, _BETWEEN = 4.4, 1.2, 3.2, 2.2, 0.9
+#: Margins around the axes and between them, and the height of a row of text, in points; for each
+#: point of the text size.
+_LEFT, _RIGHT, _BOTTOM, _BETWEEN, _ROW = 4.4, 1.2, 3.2, 2.1, 1.6
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ class PlotDrawing:
         """Places axes and labels by the size of the figure."""
         width, height = 72.0 * self.figure.get_size_inches()
         unit = self._look.text_points
-        bottom, top = _BOTTOM * unit / height, 1.0 - _TOP * unit / height
+        bottom, top = _BOTTOM * unit / height, 1.0 - 2.3 * _ROW * unit / height
         if top - bottom < 0.1 or width < 12.0 * unit:
             return  # too small to show anything
         count = len(self.axes)
@@ -100,7 +101,9 @@ class PlotDrawing:
             left=_LEFT * unit / width, right=1.0 - _RIGHT * unit / width, bottom=bottom, top=top,
             hspace=_BETWEEN * unit / max(each, 1.0))
         for axes in self.axes.values():
-            axes.yaxis.get_major_locator().set_params(nbins=max(2, int(each / (2.2 * unit))))
+            locator = axes.yaxis.get_major_locator()
+            if isinstance(locator, MaxNLocator):
+                locator.set_params(nbins=max(2, int(each / (2.2 * unit))))
         self._place_labels(width - (_LEFT + _RIGHT) * unit)
 
     # What is drawn once
@@ -121,7 +124,6 @@ class PlotDrawing:
         axes.grid(True, color=ink, alpha=0.13, linewidth=0.6)
         axes.axhline(0.0, color=ink, alpha=0.45, linewidth=0.8)
         axes.margins(0.0)
-        axes.yaxis.set_major_locator(MaxNLocator(nbins=3))
         for spine in axes.spines.values():
             spine.set_color(ink)
             spine.set_alpha(0.4)
@@ -130,13 +132,16 @@ class PlotDrawing:
         s, values = self._plot.series(quantity)
         axes.plot(s, values, color=palette.QUANTITIES[quantity], linewidth=1.8, zorder=3.0,
                   solid_capstyle="round", solid_joinstyle="round")
-        box = {"facecolor": self._look.ground, "edgecolor": "none", "alpha": 0.75, "pad": 1.5}
+        up = (_ROW if axes is self._top() else 0.0) * self._look.text_points + 2.0
         axes.name_text = axes.annotate(
-            "", (0.0, 1.0), (5.0, -4.0), "axes fraction", "offset points", va="top",
-            color=palette.QUANTITIES[quantity], weight="bold", bbox=box, zorder=6.0)
+            "", (0.0, 1.0), (0.0, up), "axes fraction", "offset points", va="bottom",
+            color=palette.QUANTITIES[quantity], weight="bold")
         axes.note_text = axes.annotate(
-            "", (1.0, 1.0), (-5.0, -4.0), "axes fraction", "offset points", va="top", ha="right",
-            color=self._look.ink, bbox=box, zorder=6.0)
+            "", (1.0, 1.0), (0.0, up), "axes fraction", "offset points", va="bottom", ha="right",
+            color=self._look.ink)
+
+    def _top(self):
+        return next(iter(self.axes.values()))
 
     def _draw_joins(self, axes):
         for join in self._plot.joins:
@@ -147,7 +152,7 @@ class PlotDrawing:
     # Labels of joins, in a row above the curves
 
     def _make_labels(self):
-        top = next(iter(self.axes.values()))
+        top = self._top()
         place = blended_transform_factory(top.transData, top.transAxes)
         self._labels = [(join, top.annotate(
             self._label_of(join), (join.s, 1.0), (0.0, 3.0), place, "offset points", va="bottom",
@@ -178,11 +183,13 @@ class PlotDrawing:
 
     def _set_limits(self, quantity, axes, chosen):
         lowest, highest, note = self._automatic(quantity)
+        is_empty = note in (self._look.words["zero"], self._look.words["missing"])
         if chosen is not None:
-            note = note if note in (self._look.words["zero"], self._look.words["missing"]) else ""
             lowest, highest = chosen
+            note = note if is_empty else ""
         axes.set_ylim(lowest, highest)
-        power = _power(max(abs(lowest), abs(highest)))
+        axes.yaxis.set_major_locator(FixedLocator((0.0,)) if is_empty else MaxNLocator(nbins=3))
+        power = 0 if is_empty else _power(max(abs(lowest), abs(highest)))
         axes.yaxis.set_major_formatter(FuncFormatter(
             lambda value, _place: f"{value / 10.0 ** power:.5g}".replace("-", "−")))
         factor = number_text.power_of_ten(power) + " " if power else ""

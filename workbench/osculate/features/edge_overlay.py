@@ -71,7 +71,7 @@ class EdgeOverlay(Feature):
         """Makes the result anew if what it is made of changed; True if it did."""
         edges, problems = _edges_of(links_of(obj))
         made_of = self.options(obj), problems
-        is_other = self._edges is None or not _are_same(edges, self._edges)
+        is_other = self._edges is None or not are_same_edges(edges, self._edges)
         if not is_other and made_of == self._made_of:
             return False
         if is_other:
@@ -122,7 +122,8 @@ def _curves_from(edges):
     return curves, problems
 
 
-def _are_same(edges, others):
+def are_same_edges(edges, others):
+    """Whether two lists have the same Part.Edges in the same places."""
     return len(edges) == len(others) and all(map(_is_equal, edges, others))
 
 

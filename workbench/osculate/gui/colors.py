@@ -2,11 +2,14 @@
 
 from osculate.palette import GAP, ORDERS, QUANTITIES, SIDES, UNDECIDED, of_order
 
-__all__ = ["ERROR", "FRAME", "GAP", "MADE", "ORDERS", "QUANTITIES", "SIDES", "UNDECIDED",
-           "VERDICT_TEXT", "of_order"]
+__all__ = ["CURSOR", "ERROR", "FRAME", "GAP", "MADE", "ORDERS", "QUANTITIES", "SIDES",
+           "UNDECIDED", "VERDICT_TEXT", "of_order"]
 
 #: What is constructed from them.
 MADE = "#2f9e44"
+
+#: A point that is looked at, in plots and in the 3D view.
+CURSOR = "#a24bd8"
 
 #: Tangent, normal, binormal.
 FRAME = ("#e5484d", "#2f9e44", "#3b82f6")

@@ -6,6 +6,7 @@ from osculate.gui.commands.analyze_join import AnalyzeJoin
 from osculate.gui.commands.blend import Blend
 from osculate.gui.commands.control_polygons import ControlPolygons
 from osculate.gui.commands.curvature_comb import CurvatureComb
+from osculate.gui.commands.curve_plot import CurvePlot
 from osculate.gui.commands.extend import Extend
 from osculate.gui.commands.interpolate import Interpolate
 from osculate.gui.commands.join import Join
@@ -13,7 +14,8 @@ from osculate.gui.commands.match import Match
 from osculate.gui.commands.solids import SOLID_COMMANDS
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin, CurvatureComb, ControlPolygons, Blend, Extend, Match, Join, Interpolate)
+COMMANDS = (AnalyzeJoin, CurvatureComb, CurvePlot, ControlPolygons, Blend, Extend, Match, Join,
+            Interpolate)
 
 
 def register():

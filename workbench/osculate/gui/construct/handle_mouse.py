@@ -4,7 +4,8 @@ A scene node would see the mouse only where the user's style of navigation leave
 """
 
 from osculate.gui.canvas import widgets_of
-from osculate.gui.qt import Qt, QtCore, mouse_position
+from osculate.gui.qt import Qt, QtCore
+from osculate.gui.view_watcher import pixel_of
 
 
 class HandleMouse(QtCore.QObject):
@@ -68,10 +69,7 @@ class HandleMouse(QtCore.QObject):
                 and self._handles.double_click(self._view, self._pixel(event), self._density()))
 
     def _pixel(self, event):
-        """In pixels of the device, from the lower left."""
-        x, y = mouse_position(event)
-        density = self._density()
-        return x * density, (self._canvas.height() - 1 - y) * density
+        return pixel_of(event, self._canvas)
 
     def _density(self):
         return self._canvas.devicePixelRatioF()

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy
 from pivy import coin
 
 from osculate.gui.overlays.pixel_scale import sideways
@@ -22,6 +23,13 @@ class Screen:
         """(x, y) of a point of the model."""
         x, y, _ = self._matrix.multVecMatrix(_vector(point)).getValue()
         return (x + 1.0) / 2.0 * self._width, (y + 1.0) / 2.0 * self._height
+
+    def pixels_of(self, points):
+        """(n, 2) pixels of (n, 3) points of the model; NaN for those behind the viewer."""
+        matrix = numpy.array(self._matrix.getValue())
+        seen = numpy.column_stack((points, numpy.ones(len(points)))) @ matrix
+        seen[seen[:, 3] <= 0.0] = numpy.nan
+        return (seen[:, :2] / seen[:, 3:] + 1.0) / 2.0 * (self._width, self._height)
 
     def beside(self, point, direction, pixels):
         """The point of the model that pixel_scale.beside moves a point to."""
