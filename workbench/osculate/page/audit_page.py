@@ -12,7 +12,7 @@ from osculate.page import images, style, words
 from osculate.page.closeup import close_up
 from osculate.page.markup import page_text, tag
 from osculate.page.overview import overview
-from osculate.page.strokes import StrokeIndex, strokes_of
+from osculate.page.strokes import strokes_of
 
 #: So many rows have a close-up; more would make a page that no browser likes.
 _PICTURED = 200
@@ -120,7 +120,7 @@ def _options(choices):
 
 def _model(report, strokes, undrawn, rows):
     columns = report.columns()
-    if not strokes and not len(columns.order):
+    if not len(strokes) and not len(columns.order):
         return
     asked = report.options["order"]
     numbered = [(str(rank), row) for rank, row in rows[:_PICTURED] if row.order < asked]
@@ -160,7 +160,7 @@ class _Rows:
 
     def __init__(self, report, strokes):
         self.report = report
-        self._strokes = StrokeIndex(strokes)
+        self._strokes = strokes
         self._size = float(numpy.abs(report.columns().point).max(initial=0.0))
 
     def row(self, rank, row):

@@ -32,7 +32,7 @@ class CloseUp(NamedTuple):
 def close_up(strokes, row, report):
     """The CloseUp of an AuditRow; None where no side can be drawn.
 
-    report: its JoinReport. strokes: a StrokeIndex of the model.
+    report: its JoinReport. strokes: the Strokes of the model.
     """
     sides = [side for side in report.sides if side.segment is not None]
     if not sides:
@@ -81,7 +81,7 @@ def _within(parts, center, radius):
 def _around(view, strokes):
     """The lines of Strokes, of each what may be in the picture."""
     for stroke in strokes:
-        places = view.project(samples(stroke.curve, stroke.poles, view.unit))
+        places = view.project(samples(stroke, view.unit))
         low, high = numpy.minimum(places[:-1], places[1:]), numpy.maximum(places[:-1], places[1:])
         seen = numpy.flatnonzero(((high > 0.0) & (low < view.size)).all(axis=1))
         for run in numpy.split(seen, numpy.flatnonzero(numpy.diff(seen) > 1) + 1):

@@ -17,42 +17,50 @@ _LAYERS = ("far", "middle", "near")
 #: dots shrink, or nothing would be seen but dots.
 _SMALL, _LARGE, _MANY = 4.0, 7.0, 1500
 
+#: Dots that have shrunk so much are drawn once where several nearly coincide.
+_TINY = 0.5
+
 
 def overview(strokes, columns, asked, numbered):
-    """A picture of the Strokes and of the joins in AuditColumns.
+    """A picture of Strokes and of the joins in AuditColumns.
 
     asked: the order asked for. numbered: (text, AuditRow) for the joins that have a number.
     """
-    points = [stroke.poles[[0, -1]] for stroke in strokes] + [columns.point]
-    middles = [stroke.poles.mean(axis=0)[None] for stroke in strokes]
-    view = fitted(numpy.concatenate(points + middles), _WIDTH, _HEIGHTS, _MARGIN)
+    points = numpy.concatenate((strokes.ends, strokes.middles, columns.point))
+    view = fitted(points, _WIDTH, _HEIGHTS, _MARGIN)
     return drawing.svg(view, "The edges of the model; dots are joins",
                        *_edges(view, strokes), *_joins(view, columns, asked),
                        *_numbers(view, numbered))
 
 
 def _edges(view, strokes):
-    depths = view.depth([stroke.poles.mean(axis=0) for stroke in strokes]) if strokes else []
-    lines = [view.project(samples(stroke.curve, stroke.poles, view.unit)) for stroke in strokes]
-    least, most = (min(depths), max(depths)) if strokes else (0.0, 0.0)
-    layers = [[] for _ in _LAYERS]
-    for line, depth in zip(lines, depths):
-        share = (depth - least) / (most - least) if most > least else 1.0
-        layers[min(int(share * len(_LAYERS)), len(_LAYERS) - 1)].append(line)
-    return [drawing.path(lines, class_=f"edge {name}") for name, lines in zip(_LAYERS, layers)]
+    depths = view.depth(strokes.middles)
+    least, most = depths.min(initial=numpy.inf), depths.max(initial=-numpy.inf)
+    share = (depths - least) / (most - least) if most > least else numpy.ones(len(depths))
+    layers = numpy.minimum(share * len(_LAYERS), len(_LAYERS) - 1).astype(int)
+    is_point = strokes.sizes() < view.unit
+    for number, name in enumerate(_LAYERS):
+        of_layer = layers == number
+        yield drawing.dots(view.project(strokes.middles[of_layer & is_point]), FINE,
+                           class_=f"edge {name}")
+        lines = [samples(strokes.all[i], view.unit)
+                 for i in numpy.flatnonzero(of_layer & ~is_point)]
+        yield drawing.path([view.project(line) for line in lines], class_=f"edge {name}")
 
 
 def _joins(view, columns, asked):
     """Dots, the worst on top."""
     shrink = min(1.0, (_MANY / max(len(columns.order), 1)) ** 0.25)
+    grid = 1 if shrink > _TINY else FINE // 2
     places = view.project(columns.point)
     groups = style.looks_of(columns)
     for look in reversed(style.all_looks(asked)):
         size = shrink * (_LARGE if look.misses(asked) else _SMALL) * FINE
         group = places[groups == look.name]
         if len(group):
-            yield drawing.dots(group, stroke="var(--paper)", stroke_width=round(size + 2 * FINE))
-            yield drawing.dots(group, stroke=look.color, stroke_width=round(size))
+            yield drawing.dots(group, grid, stroke="var(--paper)",
+                               stroke_width=round(size + 2 * FINE))
+            yield drawing.dots(group, grid, stroke=look.color, stroke_width=round(size))
 
 
 def _numbers(view, numbered):

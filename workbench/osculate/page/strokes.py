@@ -1,5 +1,6 @@
 """The curves of an audited model as Bézier segments that can be drawn."""
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ _MOST_STEPS = 256
 
 
 class Stroke(NamedTuple):
-    """A Bézier segment of an edge."""
+    """A Bézier segment of an edge, over [0, 1]."""
 
     edge: int             #: its number
     curve: _core.Curve    #: one segment
@@ -22,7 +23,7 @@ class Stroke(NamedTuple):
 
 
 def strokes_of(report, shape):
-    """All Strokes of an AuditReport: the segments beside its joins and, where there is a shape,
+    """The Strokes of an AuditReport: the segments beside its joins and, where there is a shape,
     the edges without a join. Returns also how many edges there are that cannot be drawn.
     """
     strokes = {}
@@ -36,7 +37,7 @@ def strokes_of(report, shape):
     if shape is not None:
         found += _rest(shape, drawn)
         drawn |= {stroke.edge for stroke in found}
-    return found, report.edge_count - len(drawn)
+    return Strokes(found), report.edge_count - len(drawn)
 
 
 def _key(stroke):
@@ -58,12 +59,49 @@ def _rest(shape, drawn):
     return strokes
 
 
-def samples(curve, poles, unit):
-    """(n, 3) points of a Bézier segment: enough that the polygon is flat to a fraction of `unit`,
-    the size in mm of what can be seen.
+class Strokes:
+    """Some Strokes with what is asked of all of them at once, in arrays."""
+
+    def __init__(self, strokes):
+        self.all = list(strokes)
+        counts = numpy.array([len(stroke.poles) for stroke in self.all], dtype=int)
+        starts = numpy.cumsum(counts) - counts
+        poles = numpy.concatenate([numpy.empty((0, 3)), *(stroke.poles for stroke in self.all)])
+        self.least = _reduced(numpy.minimum, poles, starts)  #: (n, 3): boxes of the poles
+        self.most = _reduced(numpy.maximum, poles, starts)
+        self.middles = _reduced(numpy.add, poles, starts) / counts[:, None]  #: (n, 3)
+        self.ends = poles[numpy.concatenate((starts, starts + counts - 1))]  #: (2 n, 3)
+
+    def __len__(self):
+        return len(self.all)
+
+    def sizes(self):
+        """(n,): bounds of their extents, mm."""
+        return numpy.linalg.norm(self.most - self.least, axis=1)
+
+    def near(self, center, radius):
+        """The Strokes whose boxes reach a ball."""
+        apart = numpy.maximum(numpy.maximum(self.least - center, center - self.most), 0.0)
+        found = numpy.flatnonzero(numpy.linalg.norm(apart, axis=1) <= radius)
+        return [self.all[i] for i in found]
+
+
+def _reduced(function, poles, starts):
+    return function.reduceat(poles, starts) if len(starts) else poles
+
+
+def samples(stroke, unit):
+    """(n, 3) points of a Stroke: enough that the polygon is flat to a fraction of `unit`, the size
+    in mm of what can be seen.
     """
-    steps = _steps(poles, _FLATNESS * unit)
-    return curve.evaluate(numpy.linspace(*curve.parameter_range, steps + 1))[:, 0]
+    if len(stroke.poles) == 2:
+        return stroke.poles
+    return stroke.curve.evaluate(_parameters(_steps(stroke.poles, _FLATNESS * unit)))[:, 0]
+
+
+@functools.cache
+def _parameters(steps):
+    return numpy.linspace(0.0, 1.0, steps + 1)
 
 
 def _steps(poles, flatness):
@@ -73,23 +111,6 @@ def _steps(poles, flatness):
     largest second difference of the poles (e.g. Filip, Magedson, Markot 1986, theorem 4).
     """
     degree = len(poles) - 1
-    if degree < 2:
-        return 1
-    bend = float(numpy.abs(numpy.diff(poles, 2, axis=0)).max())
+    bend = float(abs(poles[2:] - 2.0 * poles[1:-1] + poles[:-2]).max())
     wanted = math.sqrt(degree * (degree - 1) * bend / (8.0 * flatness))
     return min(max(math.ceil(wanted), 2), _MOST_STEPS)
-
-
-class StrokeIndex:
-    """Finds the Strokes near a place."""
-
-    def __init__(self, strokes):
-        self._strokes = strokes
-        self._least = numpy.array([s.poles.min(axis=0) for s in strokes]).reshape(-1, 3)
-        self._most = numpy.array([s.poles.max(axis=0) for s in strokes]).reshape(-1, 3)
-
-    def near(self, center, radius):
-        """The Strokes whose boxes reach a ball."""
-        apart = numpy.maximum(numpy.maximum(self._least - center, center - self._most), 0.0)
-        found = numpy.flatnonzero(numpy.linalg.norm(apart, axis=1) <= radius)
-        return [self._strokes[i] for i in found]
