@@ -30,9 +30,7 @@ bench:          ## timings beside those of OpenCASCADE, and of a report from Pyt
 	.ci/setup build freecad bench
 	cmake --preset bench
 	cmake --build --preset bench
-	build/bench/core/bench/osculate_bench
-	PYTHONPATH=workbench:/usr/lib/freecad-python3/lib /usr/bin/python3 -B core/bench/python_report.py
-	PYTHONPATH=workbench /usr/bin/python3 -B core/bench/vtk_solid.py
+	.ci/bench build/bench
 
 format:         ## rewrites the C++ sources in the project's format
 	.ci/setup format

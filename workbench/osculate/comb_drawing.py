@@ -126,10 +126,12 @@ def usual_largest(comb, quantity, members=slice(None), share=_USUAL,
     magnitudes, weights = magnitudes[exists], weights[exists]
     if not len(magnitudes):
         return 0.0
+    largest = float(magnitudes.max())
+    if weights[magnitudes < largest / outstanding].sum() < share * weights.sum():
+        return largest  # what follows would say so too, but has to sort
     order = numpy.argsort(magnitudes)
     lengths = numpy.cumsum(weights[order])
     usual = magnitudes[order][numpy.searchsorted(lengths, share * lengths[-1])]
-    largest = float(magnitudes[order[-1]])
     is_outstanding = 0.0 < outstanding * usual < largest
     return float(usual) if is_outstanding else largest
 

@@ -35,8 +35,7 @@ class Arrows:
         bases = tips - heads[:, None] * directions
         self._shafts.show(numpy.stack((starts, bases), axis=1).reshape(-1, 3), (2,) * len(starts))
         points, faces = _pyramids(tips, bases, directions, _SLENDER * heads)
-        self._coordinates.point.setNum(len(points))
-        self._coordinates.point.setValues(0, len(points), points.tolist())
+        nodes.set_points(self._coordinates, points)
         self._faces.coordIndex.setNum(len(faces))
         self._faces.coordIndex.setValues(0, len(faces), faces.tolist())
 

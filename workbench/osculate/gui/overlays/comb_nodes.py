@@ -71,62 +71,62 @@ class CombNodes:
         if color == self._color:
             return
         self._color = color
-        self._teeth = nodes.Polylines(color, _TOOTH_WIDTH, _TOOTH_TRANSPARENCY)
-        self._envelope = nodes.Polylines(color, _ENVELOPE_WIDTH, has_rim=True)
-        self._jumps = nodes.Polylines(JUMP_COLOR, _JUMP_WIDTH)
+        self._points = coin.SoCoordinate3()  # those of the curve, then the tips of the teeth
+        self._teeth = nodes.IndexedLines(color, _TOOTH_WIDTH, _TOOTH_TRANSPARENCY)
+        self._envelope = nodes.IndexedLines(color, _ENVELOPE_WIDTH, has_rim=True)
+        self._jumps = nodes.IndexedLines(JUMP_COLOR, _JUMP_WIDTH)
         self._marks = _Marks()
         self.node.removeAllChildren()
-        for part in (self._teeth.node, self._envelope.node, self._jumps.node,
+        for part in (self._points, self._teeth.node, self._envelope.node, self._jumps.node,
                      self._marks.node):
             self.node.addChild(part)
 
     def _show_lines(self, drawing, comb, tips, look):
+        nodes.set_points(self._points, numpy.concatenate(
+            (comb.point, numpy.where(numpy.isfinite(tips), tips, comb.point))))
+        first_tip = len(comb.point)
         teeth = drawing.teeth if look.teeth else drawing.teeth[:0]
-        self._teeth.show(_pairs(comb.point[teeth], tips[teeth]), (2,) * len(teeth))
+        self._teeth.show(_ended(numpy.column_stack((teeth, first_tip + teeth))))
         members, counts = drawing.lines()
-        if not look.envelope:
-            members, counts = members[:0], counts[:0]
-        self._envelope.show(tips[members], counts)
+        breaks = numpy.insert(first_tip + members, numpy.cumsum(counts), -1)
+        self._envelope.show(breaks if look.envelope else breaks[:0])
         jumps = drawing.jumps()
         self.jumps = len(jumps)
-        if not look.envelope:
-            jumps = jumps[:0]
-        self._jumps.show(tips[jumps].reshape(-1, 3), (2,) * len(jumps))
+        self._jumps.show(_ended(first_tip + jumps if look.envelope else jumps[:0]))
 
 
-def _pairs(first, second):
-    """Alternating rows of two (n, 3) arrays."""
-    return numpy.stack((first, second), axis=1).reshape(-1, 3)
+def _ended(lines):
+    """(n, m) numbers of points, m to a line, as Coin has them: -1 after each line."""
+    return numpy.insert(lines, lines.shape[1], -1, axis=1).ravel()
 
 
 class _Marks:
-    """Symbols at points; `node` goes into the scene. Moves are kept, for they cost most."""
+    """Symbols at points; `node` goes into the scene. Nodes are kept, for to make them costs most.
+    """
 
     def __init__(self):
         self._parts = {kind: nodes.separator() for kind in MARK_LOOKS}
-        self._moves = []  # (node, its field)
+        self._moves = {kind: [] for kind in MARK_LOOKS}  # the fields of the translations
         self.node = nodes.separator(*self._parts.values())
 
     def show(self, points):
         """points: kind -> (n, 3) array."""
-        used = 0
-        for kind, part in self._parts.items():
-            part.removeAllChildren()
-            if kind not in points:
-                continue
-            symbol = _symbol(*MARK_LOOKS[kind])
-            for step in numpy.diff(points[kind], axis=0, prepend=0.0).tolist():
-                node, field = self._move(used)
-                used += 1
+        for kind, moves in self._moves.items():
+            steps = numpy.diff(points.get(kind, numpy.empty((0, 3))), axis=0, prepend=0.0)
+            self._set_count(kind, len(steps))
+            for field, step in zip(moves, steps.tolist()):
                 field.setValue(*step)
-                part.addChild(node)
-                part.addChild(symbol)
 
-    def _move(self, number):
-        if number == len(self._moves):
+    def _set_count(self, kind, count):
+        part, moves = self._parts[kind], self._moves[kind]
+        for number in reversed(range(2 * count, part.getNumChildren())):
+            part.removeChild(number)
+        del moves[count:]
+        while len(moves) < count:
             node = coin.SoTranslation()
-            self._moves.append((node, node.translation))
-        return self._moves[number]
+            moves.append(node.translation)
+            part.addChild(node)
+            part.addChild(_symbol(*MARK_LOOKS[kind]))
 
 
 def _marked_points(comb, quantity, tips):

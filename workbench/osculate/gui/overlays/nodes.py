@@ -1,5 +1,8 @@
 """Coin nodes that every overlay is made of: lines with a rim, arrow heads, nothing to pick."""
 
+import contextlib
+import gc
+
 import numpy
 from pivy import coin
 
@@ -87,11 +90,55 @@ class Polylines:
 
     def show(self, points, counts):
         """Leads through (n, 3) points, in pieces of so many points each."""
-        self._coordinates.point.setNum(len(points))
-        self._coordinates.point.setValues(0, len(points), points.tolist())
+        set_points(self._coordinates, points)
         counts = [int(count) for count in counts] or [0]  # without a number Coin takes all points
         self._lines.numVertices.setNum(len(counts))
         self._lines.numVertices.setValues(0, len(counts), counts)
+
+
+class IndexedLines:
+    """Lines of one colour through some of the points of an SoCoordinate3 that others share; `node`
+    goes into the scene after it. A pale rim lifts them off the model.
+    """
+
+    def __init__(self, color, width, transparency=0.0, has_rim=False):
+        self._lines = coin.SoIndexedLineSet()
+        self._indices = None
+        parts = [*flat_color(rgb(color), transparency), line_style(width), self._lines]
+        if has_rim:
+            parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY),
+                                      line_style(width + _HALO_WIDTH), self._lines))
+        self.node = separator(*parts)
+        self.show(numpy.empty(0, int))
+
+    def show(self, indices):
+        """Leads through the points of these numbers; -1 ends a line."""
+        if numpy.array_equal(indices, self._indices):
+            return  # the usual case while a curve is dragged
+        self._indices = indices
+        self._lines.coordIndex.setNum(len(indices))
+        self._lines.coordIndex.setValues(0, len(indices), indices.tolist())
+
+
+def set_points(coordinates, points):
+    """Gives an SoCoordinate3 the (n, 3) points of an array."""
+    coordinates.point.setNum(len(points))
+    with _without_collector():
+        coordinates.point.setValues(0, len(points), points.tolist())
+
+
+@contextlib.contextmanager
+def _without_collector():
+    """Python's collector would search all objects again and again while many lists are made: that
+    takes longer than making them.
+    """
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 def colored_polyline(points, color, width, pattern=SOLID):
