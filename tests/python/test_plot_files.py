@@ -135,7 +135,7 @@ class DrawingTest(unittest.TestCase):
 
     def labels(self, drawing):
         return [(label.get_text(), to_hex(label.get_bbox_patch().get_facecolor()))
-                for _, label in drawing._labels if label.get_visible()]
+                for label in drawing._labels if label.get_visible()]
 
     def test_axes_share_the_arc_length(self):
         drawing = self.draw(cubic())
@@ -159,16 +159,16 @@ class DrawingTest(unittest.TestCase):
         drawing = self.draw([*circle_then_line(), gap])
         self.assertEqual(self.labels(drawing), [("gap 5 mm", palette.GAP),
                                                 ("G1", palette.of_order(1))])
-        marks = {round(line.get_xdata()[0], 6): line.get_color()
-                 for line in drawing.axes["torsion"].lines if len(line.get_xdata()) == 2}
+        lines = drawing._parts["torsion"].joins
+        marks = {round(path.vertices[0, 0], 6): to_hex(color)
+                 for path, color in zip(lines.get_paths(), lines.get_colors())}
         self.assertEqual(marks[round(5.0 * math.pi, 6)], palette.of_order(1))
 
     def test_knots_have_thinner_lines_than_joins(self):
         curve = spline(3)
         end, tangent = (curve.evaluate(3.0, 1)[row] for row in (0, 1))
         drawing = self.draw([curve, Curve.bezier([end, end + tangent])])
-        widths = [line.get_linewidth() for line in drawing.axes["curvature"].lines
-                  if list(line.get_ydata()) == [0, 1]]
+        widths = list(drawing._parts["curvature"].joins.get_linewidths())
         self.assertEqual(len(widths), 3)
         self.assertLess(max(widths[:2]), widths[2])
 
@@ -186,9 +186,9 @@ class DrawingTest(unittest.TestCase):
         self.assertGreater(highest - lowest, 0.004)
         self.assertTrue(lowest < 0.1 < highest)
         for quantity in ("torsion", "curvature_rate", "curvature_rate2"):
-            self.assertEqual(drawing.axes[quantity].note_text.get_text(), "zero everywhere")
+            self.assertEqual(drawing._parts[quantity].note.get_text(), "zero everywhere")
         line = self.draw(Curve.bezier([(0, 0, 0), (1, 2, 3)]))
-        self.assertEqual(line.axes["torsion"].note_text.get_text(), "does not exist")
+        self.assertEqual(line._parts["torsion"].note.get_text(), "does not exist")
 
     def test_a_spike_does_not_hide_the_rest_and_it_says_so(self):
         drawing = self.draw([cusp(), Curve.bezier(cubic().poles + 50)])
@@ -199,9 +199,20 @@ class DrawingTest(unittest.TestCase):
         self.assertLess(highest, 0.2 * largest)
         self.assertGreater(highest, usual)
         self.assertIn("curvature", drawing.cut)
-        self.assertIn("cut, up to 17.1 mm⁻¹", drawing.axes["curvature"].note_text.get_text())
+        self.assertIn("cut, up to 17.1 mm⁻¹", drawing._parts["curvature"].note.get_text())
         drawing.see((0.9 * plot.length, plot.length))
-        self.assertEqual((drawing.cut, drawing.axes["curvature"].note_text.get_text()), ((), ""))
+        self.assertEqual((drawing.cut, drawing._parts["curvature"].note.get_text()), ((), ""))
+
+    def test_another_plot_takes_the_place_of_the_first(self):
+        drawing = self.draw([*circle_then_line(), cubic()])
+        axes = list(drawing.axes.values())
+        other = curve_plot(spline(3))
+        drawing.show(other)
+        self.assertEqual(list(drawing.axes.values()), axes)
+        s, values = self.line_of(drawing, "curvature").get_data()
+        np.testing.assert_array_equal(values, other.series("curvature")[1])
+        self.assertEqual([text for text, _ in self.labels(drawing)], ["G2", "G2"])
+        self.assertEqual(drawing.window, (0.0, other.length))
 
     def test_limits_can_be_given(self):
         drawing = self.draw(cubic(), limits={"curvature": (-1.0, 2.0)})
@@ -209,7 +220,7 @@ class DrawingTest(unittest.TestCase):
 
     def test_units_carry_the_power_of_ten(self):
         drawing = self.draw(Curve.bezier(1000 * cubic().poles))
-        self.assertEqual(drawing.axes["curvature"].name_text.get_text(), "κ  (10⁻⁶ mm⁻¹)")
+        self.assertEqual(drawing._parts["curvature"].name.get_text(), "κ  (10⁻⁶ mm⁻¹)")
         formatter = drawing.axes["curvature"].yaxis.get_major_formatter()
         self.assertEqual(formatter(5e-5, 0), "50")
 

@@ -10,8 +10,8 @@ import numpy
 
 try:
     import matplotlib
+    from matplotlib.collections import LineCollection
     from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
-    from matplotlib.transforms import blended_transform_factory
 except ImportError as error:
     raise ImportError("curve plots are drawn with matplotlib, which is not installed (Debian: "
                       f"python3-matplotlib; pip install matplotlib): {error}",
@@ -57,7 +57,9 @@ class PlotDrawing:
         self.figure = figure
         self.axes = {}   #: quantity -> Axes, from top to bottom
         self.cut = ()    #: quantities of which some values are beyond the axis
-        self._plot = None
+        self._plot = self._look = None
+        self._parts = {}   # quantity -> _Parts
+        self._labels = []  # of joins; more than are seen, as they were needed
 
     def show(self, plot, *, quantities=None, look=PlotLook(), window=None, limits=None):
         """Draws a CurvePlot instead of what was drawn.
@@ -67,16 +69,17 @@ class PlotDrawing:
         limits: quantity -> (lowest, highest) that is seen; chosen by the values in the window, such
             that a few outstanding ones do not hide the rest, where there are none.
         """
-        self._plot, self._look = plot, look
-        self.window = window or (0.0, plot.length)
-        self._size = size_of([plot.comb])
+        quantities = tuple(quantities or plot.quantities)
+        self._plot, self._size = plot, size_of([plot.comb])
         with matplotlib.rc_context({"font.size": look.text_points, "svg.fonttype": "path"}):
-            self._make_axes(quantities or plot.quantities)
-            for quantity, axes in self.axes.items():
-                self._draw_curve(axes, quantity)
-                self._draw_joins(axes)
-            self._make_labels()
-        self.see(self.window, limits)
+            if quantities != tuple(self.axes) or look != self._look:
+                self._look = look
+                self._make_axes(quantities)
+        self._ranked = sorted(plot.joins, key=_rank)
+        lines = _join_lines(plot.joins)
+        for quantity, parts in self._parts.items():
+            parts.show(*plot.series(quantity), lines)
+        self.see(window or (0.0, plot.length), limits)
 
     def see(self, window, limits=None):
         """Shows another part of the arc length, with limits as for `show`."""
@@ -115,6 +118,11 @@ class PlotDrawing:
         self.axes = dict(zip(quantities, found))
         for axes in found:
             self._dress(axes)
+        self._parts = {quantity: _Parts(axes, quantity, self._look, axes is found[0])
+                       for quantity, axes in self.axes.items()}
+        self._labels = []
+        for axes in found[:-1]:
+            axes.tick_params(bottom=False)
         found[-1].set_xlabel("s  (mm)", color=self._look.ink, labelpad=2.0)
 
     def _dress(self, axes):
@@ -124,60 +132,48 @@ class PlotDrawing:
         axes.grid(True, color=ink, alpha=0.13, linewidth=0.6)
         axes.axhline(0.0, color=ink, alpha=0.45, linewidth=0.8)
         axes.margins(0.0)
+        axes.set_title("", y=1.0)  # else it is looked for a place for it, which takes long
         for spine in axes.spines.values():
             spine.set_color(ink)
             spine.set_alpha(0.4)
 
-    def _draw_curve(self, axes, quantity):
-        s, values = self._plot.series(quantity)
-        axes.plot(s, values, color=palette.QUANTITIES[quantity], linewidth=1.8, zorder=3.0,
-                  solid_capstyle="round", solid_joinstyle="round")
-        up = (_ROW if axes is self._top() else 0.0) * self._look.text_points + 2.0
-        axes.name_text = axes.annotate(
-            "", (0.0, 1.0), (0.0, up), "axes fraction", "offset points", va="bottom",
-            color=palette.QUANTITIES[quantity], weight="bold")
-        axes.note_text = axes.annotate(
-            "", (1.0, 1.0), (0.0, up), "axes fraction", "offset points", va="bottom", ha="right",
-            color=self._look.ink)
-
-    def _top(self):
-        return next(iter(self.axes.values()))
-
-    def _draw_joins(self, axes):
-        for join in self._plot.joins:
-            width, style = _LINES["gap" if join.order < 0 else join.kind]
-            axes.axvline(join.s, color=palette.of_order(join.order), linewidth=width,
-                         linestyle=style, zorder=2.0)
-
     # Labels of joins, in a row above the curves
-
-    def _make_labels(self):
-        top = self._top()
-        place = blended_transform_factory(top.transData, top.transAxes)
-        self._labels = [(join, top.annotate(
-            self._label_of(join), (join.s, 1.0), (0.0, 3.0), place, "offset points", va="bottom",
-            ha="center", color="#ffffff", weight="bold", annotation_clip=False,
-            fontsize=0.85 * self._look.text_points,
-            bbox={"facecolor": palette.of_order(join.order), "edgecolor": "none",
-                  "boxstyle": "round,pad=0.25"})) for join in sorted(self._plot.joins, key=_rank)]
-
-    def _label_of(self, join):
-        if join.order >= 0:
-            return join.label
-        return f"{self._look.words['gap']} {number_text.quantity(join.gap_mm, 'mm', 3)}"
 
     def _place_labels(self, width):
         """Shows the labels that have room, the worst joins first."""
         first, last = self.window
         letter, taken = 0.62 * self._look.text_points, []
-        for join, label in self._labels:
+        for join in self._ranked:
             place = (join.s - first) / (last - first) * width
-            half = 0.5 * letter * len(label.get_text()) + 4.0
-            is_seen = first <= join.s <= last and all(
-                abs(place - other) >= half + other_half for other, other_half in taken)
-            label.set_visible(is_seen)
-            if is_seen:
+            half = 0.5 * letter * len(self._label_of(join)) + 4.0
+            if first <= join.s <= last and all(
+                    abs(place - other) >= half + other_half for other, other_half in taken):
+                self._show_label(len(taken), join)
                 taken.append((place, half))
+        for label in self._labels[len(taken):]:
+            label.set_visible(False)
+
+    def _show_label(self, number, join):
+        if number == len(self._labels):
+            self._labels.append(self._new_label())
+        label = self._labels[number]
+        label.set_text(self._label_of(join))
+        label.xy = join.s, 1.0
+        label.get_bbox_patch().set_facecolor(palette.of_order(join.order))
+        label.set_visible(True)
+
+    def _new_label(self):
+        top = next(iter(self.axes.values()))
+        return top.annotate(
+            " ", (0.0, 1.0), (0.0, 3.0), top.get_xaxis_transform(), "offset points", va="bottom",
+            ha="center", color="#ffffff", weight="bold", annotation_clip=False,
+            fontsize=0.85 * self._look.text_points,
+            bbox={"edgecolor": "none", "boxstyle": "round,pad=0.25"})
+
+    def _label_of(self, join):
+        if join.order >= 0:
+            return join.label
+        return f"{self._look.words['gap']} {number_text.quantity(join.gap_mm, 'mm', 3)}"
 
     # Limits of the values
 
@@ -193,8 +189,9 @@ class PlotDrawing:
         axes.yaxis.set_major_formatter(FuncFormatter(
             lambda value, _place: f"{value / 10.0 ** power:.5g}".replace("-", "−")))
         factor = number_text.power_of_ten(power) + " " if power else ""
-        axes.name_text.set_text(f"{SYMBOLS[quantity]}  ({factor}{UNITS[quantity]})")
-        axes.note_text.set_text(note)
+        parts = self._parts[quantity]
+        parts.name.set_text(f"{SYMBOLS[quantity]}  ({factor}{UNITS[quantity]})")
+        parts.note.set_text(note)
 
     def _automatic(self, quantity):
         """(lowest, highest, note) by the values that are seen."""
@@ -220,6 +217,35 @@ class PlotDrawing:
 
     def _is_missing(self, quantity):
         return not numpy.isfinite(getattr(self._plot.comb, quantity)).any()
+
+
+class _Parts:
+    """What is drawn on the axes of one quantity, and stays while the plot changes."""
+
+    def __init__(self, axes, quantity, look, is_top):
+        color = palette.QUANTITIES[quantity]
+        self.curve, = axes.plot((), (), color=color, linewidth=1.8, zorder=3.0,
+                                solid_capstyle="round", solid_joinstyle="round")
+        self.joins = LineCollection((), transform=axes.get_xaxis_transform(), zorder=2.0)
+        axes.add_collection(self.joins, autolim=False)
+        up = (_ROW if is_top else 0.0) * look.text_points + 2.0  # above the labels of joins
+        self.name, self.note = (axes.annotate(
+            "", (place, 1.0), (0.0, up), "axes fraction", "offset points", va="bottom", ha=side,
+            color=ink, weight=weight) for place, side, ink, weight in (
+                (0.0, "left", color, "bold"), (1.0, "right", look.ink, "normal")))
+
+    def show(self, s, values, lines):
+        self.curve.set_data(s, values)
+        self.joins.set(**lines)
+
+
+def _join_lines(joins):
+    """The properties of a LineCollection."""
+    looks = [_LINES["gap" if join.order < 0 else join.kind] for join in joins]
+    return {"segments": [((join.s, 0.0), (join.s, 1.0)) for join in joins],
+            "colors": [palette.of_order(join.order) for join in joins],
+            "linewidths": [width for width, _ in looks],
+            "linestyles": [style for _, style in looks]}
 
 
 def _rank(join):
