@@ -119,7 +119,7 @@ footer { margin-top: 1.5rem; padding-top: .6rem; border-top: 1px solid var(--rul
 @media screen and (max-width: 48rem) { .columns { display: block; } body { padding: .8rem; }
   .scroll { overflow-x: auto; } }
 @media print { body { padding: 0; max-width: none; font-size: 8pt; } h2 { margin-top: 1rem; }
-  figure > svg { max-height: 92mm; margin: 0 auto; } .worst svg { width: 30mm; }
-  .worst td { padding: .15rem .7rem .15rem 0; line-height: 1.3; }
+  figure > svg { max-height: 86mm; margin: 0 auto; } .worst svg { width: 28mm; }
+  .worst td { padding: .15rem .7rem .15rem 0; line-height: 1.25; } footer { margin-top: .5rem; }
   .options td { padding: .1rem .6rem .1rem 0; } }
 """.replace("SIDE0", palette.SIDES[0]).replace("SIDE1", palette.SIDES[1])
