@@ -3,6 +3,7 @@
     tests/gui/on_screen docs/images/make_pictures.py
 """
 
+import math
 import os
 import sys
 
@@ -44,6 +45,7 @@ def main():
     draw_extend()
     draw_match()
     draw_comb()
+    draw_torsion()
     draw_plot()
     draw_preferences()
 
@@ -301,6 +303,26 @@ def draw_comb():
     look(document, "viewTop", 1.1)
     grab("comb")
     FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
+def draw_torsion():
+    """torsion.png: the combs of curvature and torsion of one curve in space, on dark."""
+    document = FreeCAD.newDocument("Torsion")
+    spline = Part.BSplineCurve()
+    spline.interpolate([V((50 - 6 * t) * math.cos(t), (50 - 6 * t) * math.sin(t), 9 * t)
+                        for t in (0.0, 0.8, 1.6, 2.4, 3.4, 4.4, 5.6)])
+    spiral = document.addObject("Part::Feature", "Spiral")
+    spiral.Shape = spline.toShape()
+    spiral.ViewObject.LineColor = (0.9, 0.9, 0.9)
+    spiral.ViewObject.LineWidth = 3.0
+    document.recompute()
+    set_background(DARK)
+    for quantity in ("curvature", "torsion"):
+        make_curvature_comb(document, [spiral], quantity=quantity)
+    look(document, "viewIsometric", 0.95)
+    save_view(document, "torsion", 900, 640)
+    set_background(LIGHT)
     FreeCAD.closeDocument(document.Name)
 
 
