@@ -13,10 +13,11 @@ from osculate.features.selftest.interpolated_curve_test import InterpolatedCurve
 from osculate.features.selftest.joined_curve_test import JoinedCurveTest
 from osculate.features.selftest.joins_test import JoinCheckTest, JoinsTest
 from osculate.features.selftest.matched_curve_test import MatchedCurveTest
+from osculate.features.selftest.probe_test import ProbeTest
 from osculate.features.selftest.solid_brep_test import SolidBRepTest
 from osculate.features.selftest.solid_contact_test import SolidContactTest
 
 __all__ = ["BezierSolidTest", "BlendCurveTest", "ControlNetTest", "ControlPolygonsTest",
            "CurvatureCombTest", "ExtendedCurveTest", "InterpolatedCurveTest", "JoinCheckTest",
-           "JoinedCurveTest", "JoinsTest", "MatchedCurveTest", "NetTextTest", "SolidBRepTest",
-           "SolidContactTest"]
+           "JoinedCurveTest", "JoinsTest", "MatchedCurveTest", "NetTextTest", "ProbeTest",
+           "SolidBRepTest", "SolidContactTest"]
