@@ -96,10 +96,7 @@ class CurveProbe(CurveTravel):
         place = self.order.index(curve)
         first, last = self._ranges[place]
         travelled = self.own_parameter(place, min(max(parameter, first), last))
-        if travelled <= first:
-            return float(self.starts[place])
-        length = self.curves[place].trimmed(first, travelled).length()
-        return float(self.starts[place] + min(length, self.comb.lengths[place]))
+        return self.arc_length_at(place, travelled)
 
     def next_special(self, s, is_forward):
         """The SpecialPoint after an arc length, or before it; None if there is none."""

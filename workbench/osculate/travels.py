@@ -39,6 +39,16 @@ class CurveTravel:
         length = min(s - self.starts[place], self.comb.lengths[place], curve.length())
         return place, curve.parameter_at_length(length)
 
+    def arc_length_at(self, place, parameter):
+        """The arc length from the start of the travel, of a parameter in the direction of travel;
+        beyond the range of the curve that of its end.
+        """
+        first, last = self._ranges[place]
+        if parameter <= first:
+            return float(self.starts[place])
+        length = self.curves[place].trimmed(first, min(parameter, last)).length()
+        return float(self.starts[place] + min(length, self.comb.lengths[place]))
+
     def own_parameter(self, place, parameter):
         """The parameter of a curve as it was given, from that in the direction of travel."""
         first, last = self._ranges[place]

@@ -18,6 +18,11 @@ FRAME = ("#e5484d", "#2f9e44", "#3b82f6")
 POLYGON, POLYGON_ENDS = "#c98a00", "#1c86d1"
 DIFFERENCES = ("#009e73", "#b8689a")
 
+#: Of a probe: the osculating circle, and the levels of the construction of de Casteljau, which come
+#: again after the last.
+CIRCLE = "#c98a00"
+LEVELS = ("#7c8794", "#1c86d1", "#d55e00", "#009e73", "#b8689a", "#c98a00")
+
 ERROR = "#6b7280"
 
 #: Text of a verdict on light and on dark widgets.

@@ -1,5 +1,6 @@
 """What combs are called, in the user's language, and how their values are written."""
 
+from osculate.comb_drawing import is_rounding
 from osculate.combs import SYMBOLS, UNITS
 from osculate.gui import numbers
 from osculate.gui.qt import translate
@@ -39,3 +40,11 @@ def scale_text(quantity, scale):
     """What a length of teeth stands for, e.g. "10 mm = 0.05 mm⁻¹"."""
     length = 10.0
     return f"{length:g} mm = {value_text(quantity, length / scale)}"
+
+
+def value_at(geometry, quantity, size):
+    """The value of a quantity at a PointGeometry of curves of a size in mm: 0 for what is only
+    rounding, None for what does not exist.
+    """
+    value = getattr(geometry, quantity)
+    return 0.0 if value is not None and is_rounding(abs(value), quantity, size) else value

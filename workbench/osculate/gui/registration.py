@@ -13,6 +13,7 @@ from osculate.features.interpolated_curve import InterpolatedCurve
 from osculate.features.join_check import JoinCheck
 from osculate.features.joined_curve import JoinedCurve
 from osculate.features.matched_curve import MatchedCurve
+from osculate.features.probe import Probe
 from osculate.features.solid_brep import SolidBRep
 from osculate.features.solid_contact import SolidContact
 from osculate.gui import resources
@@ -36,6 +37,7 @@ _VIEWS = {
     JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
     BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
     ControlPolygons: ("osculate.gui.polygons_view", "ControlPolygonsView"),
+    Probe: ("osculate.gui.probe_view", "ProbeView"),
     CurvatureComb: ("osculate.gui.comb_view", "CurvatureCombView"),
     ExtendedCurve: ("osculate.gui.construct.extend_view", "ExtendedCurveView"),
     MatchedCurve: ("osculate.gui.construct.match_view", "MatchedCurveView"),

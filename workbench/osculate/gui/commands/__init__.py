@@ -11,11 +11,12 @@ from osculate.gui.commands.extend import Extend
 from osculate.gui.commands.interpolate import Interpolate
 from osculate.gui.commands.join import Join
 from osculate.gui.commands.match import Match
+from osculate.gui.commands.probe import Probe
 from osculate.gui.commands.solids import SOLID_COMMANDS
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin, CurvatureComb, CurvePlot, ControlPolygons, Blend, Extend, Match, Join,
-            Interpolate)
+COMMANDS = (AnalyzeJoin, CurvatureComb, CurvePlot, Probe, ControlPolygons, Blend, Extend, Match,
+            Join, Interpolate)
 
 
 def register():

@@ -13,7 +13,8 @@ class PositionRow(QtWidgets.QWidget):
     given = Signal(float, bool)  #: the share, 0 to 1, and whether it is settled
     settled = Signal()           #: the slider was let go
 
-    def __init__(self):
+    def __init__(self, name=None):
+        """name: None for that of a place on an edge; empty for none."""
         super().__init__()
         self.slider = Slider(0, _STEPS)
         self.box = NumberSpinBox(" %", 0.0, 100.0)
@@ -23,7 +24,10 @@ class PositionRow(QtWidgets.QWidget):
         self.box.valueChanged.connect(lambda value: self.given.emit(value / 100.0, True))
         layout = QtWidgets.QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(QtWidgets.QLabel(translate("Osculate", "Place on the edge")))
+        if name is None:
+            name = translate("Osculate", "Place on the edge")
+        if name:
+            layout.addWidget(QtWidgets.QLabel(name))
         layout.addWidget(self.slider, 1)
         layout.addWidget(self.box)
 

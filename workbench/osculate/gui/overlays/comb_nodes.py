@@ -75,7 +75,7 @@ class CombNodes:
         self._teeth = nodes.IndexedLines(color, _TOOTH_WIDTH, _TOOTH_TRANSPARENCY)
         self._envelope = nodes.IndexedLines(color, _ENVELOPE_WIDTH, has_rim=True)
         self._jumps = nodes.IndexedLines(JUMP_COLOR, _JUMP_WIDTH)
-        self._marks = _Marks()
+        self._marks = Marks(MARK_LOOKS)
         self.node.removeAllChildren()
         for part in (self._points, self._teeth.node, self._envelope.node, self._jumps.node,
                      self._marks.node):
@@ -100,13 +100,16 @@ def _ended(lines):
     return numpy.insert(lines, lines.shape[1], -1, axis=1).ravel()
 
 
-class _Marks:
+class Marks:
     """Symbols at points; `node` goes into the scene. Nodes are kept, for to make them costs most.
+
+    looks: kind of a mark -> what sprites.symbol takes
     """
 
-    def __init__(self):
-        self._parts = {kind: nodes.separator() for kind in MARK_LOOKS}
-        self._moves = {kind: [] for kind in MARK_LOOKS}  # the fields of the translations
+    def __init__(self, looks):
+        self._looks = looks
+        self._parts = {kind: nodes.separator() for kind in looks}
+        self._moves = {kind: [] for kind in looks}  # the fields of the translations
         self.node = nodes.separator(*self._parts.values())
 
     def show(self, points):
@@ -126,7 +129,7 @@ class _Marks:
             node = coin.SoTranslation()
             moves.append(node.translation)
             part.addChild(node)
-            part.addChild(_symbol(*MARK_LOOKS[kind]))
+            part.addChild(_symbol(*self._looks[kind]))
 
 
 def _marked_points(comb, quantity, tips):

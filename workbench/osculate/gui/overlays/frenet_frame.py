@@ -1,4 +1,4 @@
-"""The Frenet frames of both sides: arrows of a fixed length on the screen, with letters."""
+"""The Frenet frames of one or both sides: arrows of a fixed length on the screen, with letters."""
 
 import math
 
@@ -16,11 +16,12 @@ _SAME_AXIS = math.cos(math.radians(8.0))
 
 
 def frames_node(sides, length, text_points):
-    """Arrows of `length` pixels at the points of two SideReports; an axis that a side does not
-    have is not drawn.
+    """Arrows of `length` pixels at the points of one or two sides, which have the attributes of a
+    PointGeometry; an axis that a side does not have is not drawn.
     """
     arrows = ([], [])
-    for letter, color, *axes in zip("tnb", colors.FRAME, _axes(sides[0]), _axes(sides[1])):
+    second = _axes(sides[1]) if len(sides) > 1 else (None, None, None)
+    for letter, color, *axes in zip("tnb", colors.FRAME, _axes(sides[0]), second):
         for index, (axis, text) in enumerate(zip(axes, _letters(letter, *axes))):
             if axis is not None:
                 arrows[index].extend(_arrow(axis, index, length, color, text, text_points))

@@ -16,15 +16,16 @@ class PointMarker:
         self._content = nodes.separator(self._place, sprites.ring(color), self._label)
         self.node = nodes.untouchable()
 
-    def show(self, point, name, text, avoided=()):
+    def show(self, point, name="", text="", avoided=()):
         """Marks a point; the label has `name` in a field of the colour, and `text`. It keeps off
-        the directions `avoided`.
+        the directions `avoided`. Without a name there is none.
         """
         self._place.translation = tuple(map(float, point))
-        labels = [sprites.callout(name, text, self._color, self._text_points, corner)
-                  for corner in CORNERS]
         self._label.removeAllChildren()
-        self._label.addChild(in_freest_corner(labels, list(avoided)))
+        if name:
+            labels = [sprites.callout(name, text, self._color, self._text_points, corner)
+                      for corner in CORNERS]
+            self._label.addChild(in_freest_corner(labels, list(avoided)))
         if self.node.findChild(self._content) < 0:
             self.node.addChild(self._content)
 

@@ -179,13 +179,15 @@ def note(text, points, color=TEXT_COLOR):
 def callout(name, text, color, points, corner):
     """A label away from its point, with a line that leads to it.
 
-    `name` stands in a field of the colour, `text` (may be empty) beside it on white. `corner` is
-    (1, 1) for a label up to the right of its point, (-1, -1) for down to the left, and so on.
+    `name` stands in a field of the colour, `text` (may be empty, or of several lines) beside it on
+    white. `corner` is (1, 1) for a label up to the right of its point, (-1, -1) for down to the
+    left, and so on.
     """
     font, bold = label_fonts(points)
-    height = QtGui.QFontMetricsF(bold).height() + 8.0
+    lines, metrics = text.split("\n"), QtGui.QFontMetricsF(font)
+    height = QtGui.QFontMetricsF(bold).height() + (len(lines) - 1) * metrics.lineSpacing() + 8.0
     name_width = QtGui.QFontMetricsF(bold).horizontalAdvance(name) + 16.0
-    text_width = QtGui.QFontMetricsF(font).horizontalAdvance(text) + 18.0 if text else 0.0
+    text_width = max(map(metrics.horizontalAdvance, lines)) + 18.0 if text else 0.0
     width = _REACH_RIGHT + name_width + text_width + _MARGIN
     picture = canvas(width, _REACH_UP + height + _MARGIN)
     right, up = corner[0] > 0, corner[1] > 0

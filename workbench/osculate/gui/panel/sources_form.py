@@ -51,13 +51,20 @@ class SourcesForm(QtWidgets.QWidget):
             layout.addWidget(widget)
         layout.addStretch(1)
 
-    def switches(self, label, texts):
-        """A row of check boxes for properties {name: text}; returns {name: box}."""
+    def switches(self, label, texts, columns=1):
+        """Check boxes for properties {name: text}, row by row; returns {name: box}. Without a label
+        they take the whole width.
+        """
         boxes = {}
-        for name, text in texts.items():
+        grid = QtWidgets.QGridLayout()
+        for number, (name, text) in enumerate(texts.items()):
             boxes[name] = box = QtWidgets.QCheckBox(text)
             box.clicked.connect(self._switch(name, box))
-            self.rows.addRow("" if len(boxes) > 1 else label, box)
+            grid.addWidget(box, number // columns, number % columns)
+        if label:
+            self.rows.addRow(label, grid)
+        else:
+            self.rows.addRow(grid)
         return boxes
 
     def _switch(self, name, box):

@@ -1,6 +1,5 @@
 """The words of a plot, in the user's language."""
 
-from osculate.comb_drawing import is_rounding
 from osculate.combs import SYMBOLS
 from osculate.gui import comb_words, numbers
 from osculate.gui.qt import translate
@@ -27,8 +26,5 @@ def short_reading(at, size):
 
 
 def _value(at, quantity, size):
-    value = getattr(at.geometry, quantity)
-    if value is None:
-        return numbers.MISSING
-    is_zero = is_rounding(abs(value), quantity, size)
-    return comb_words.value_text(quantity, 0.0 if is_zero else value)
+    value = comb_words.value_at(at.geometry, quantity, size)
+    return numbers.MISSING if value is None else comb_words.value_text(quantity, value)

@@ -1,0 +1,1 @@
+"""The task panel of a Probe, and the mouse that moves it."""
