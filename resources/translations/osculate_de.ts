@@ -676,6 +676,91 @@
         <source>Number of poles of all segments</source>
         <translation>Anzahl der Kontrollpunkte aller Segmente</translation>
     </message>
+    <message>
+        <source>Where the point is, as a share of the length of all edges, 0 to 1</source>
+        <extracomment>What can be drawn at the point: the name of its property.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether tangent, normal and binormal are drawn</source>
+        <translation>Ob Tangente, Normale und Binormale gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Whether the osculating circle and its centre are drawn</source>
+        <translation>Ob der Krümmungskreis und sein Mittelpunkt gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Whether the plane of tangent and normal is drawn</source>
+        <translation>Ob die Ebene von Tangente und Normale gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whether the plane of normal and binormal is drawn</source>
+        <translation>Ob die Ebene von Normale und Binormale gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whether the plane of tangent and binormal is drawn</source>
+        <translation>Ob die Ebene von Tangente und Binormale gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whether the construction of de Casteljau is drawn</source>
+        <translation>Ob die Konstruktion von de Casteljau gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Whether curvature, radius and torsion stand beside the point</source>
+        <translation>Ob Krümmung, Radius und Torsion beim Punkt stehen</translation>
+    </message>
+    <message>
+        <source>Where the point is, along the edges</source>
+        <translation>Wo der Punkt ist, entlang der Kanten</translation>
+    </message>
+    <message>
+        <source>The number of its edge among all of them, from 1</source>
+        <translation>Die Nummer seiner Kante unter allen, ab 1</translation>
+    </message>
+    <message>
+        <source>Where it is, as a parameter of the edge in its own direction</source>
+        <translation>Wo er ist, als Parameter der Kante in ihrer eigenen Richtung</translation>
+    </message>
+    <message>
+        <source>What is special about the point: end, join, knot, inflection, ...</source>
+        <translation>Was an dem Punkt besonders ist: end, join, knot, inflection, ...</translation>
+    </message>
+    <message>
+        <source>The point</source>
+        <translation>Der Punkt</translation>
+    </message>
+    <message>
+        <source>Tangent; zero where Missing names it</source>
+        <translation>Tangente; null, wo Missing sie nennt</translation>
+    </message>
+    <message>
+        <source>Normal, towards the centre of curvature; zero where Missing names it</source>
+        <translation>Normale, zum Krümmungsmittelpunkt hin; null, wo Missing sie nennt</translation>
+    </message>
+    <message>
+        <source>Binormal; zero where Missing names it</source>
+        <translation>Binormale; null, wo Missing sie nennt</translation>
+    </message>
+    <message>
+        <source>Curvature, 1/mm; 0 where Missing names it</source>
+        <translation>Krümmung, 1/mm; 0, wo Missing sie nennt</translation>
+    </message>
+    <message>
+        <source>Radius of curvature; 0 where Missing names it</source>
+        <translation>Krümmungsradius; 0, wo Missing ihn nennt</translation>
+    </message>
+    <message>
+        <source>Torsion, 1/mm; 0 where Missing names it</source>
+        <translation>Torsion, 1/mm; 0, wo Missing sie nennt</translation>
+    </message>
+    <message>
+        <source>Which of these do not exist at the point</source>
+        <translation>Was davon es an dem Punkt nicht gibt</translation>
+    </message>
+    <message>
+        <source>Whether joins, knots, inflections and vertices are marked</source>
+        <translation>Ob Übergänge, Knoten, Wendepunkte und Scheitel markiert sind</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
@@ -2413,6 +2498,184 @@ What a solid from points begins with, in mm.</extracomment>
         <source>does not exist</source>
         <translation>gibt es nicht</translation>
     </message>
+    <message>
+        <source>osculating plane</source>
+        <extracomment>(name, text), or None</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>normal plane</source>
+        <translation>Normalebene</translation>
+    </message>
+    <message>
+        <source>rectifying plane</source>
+        <translation>rektifiz. Ebene</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <extracomment>the next special point (True), or that before</extracomment>
+        <translation type="unfinished">Sonde</translation>
+    </message>
+    <message>
+        <source>Arc length from the start of the edges</source>
+        <translation>Bogenlänge vom Anfang der Kanten</translation>
+    </message>
+    <message>
+        <source>The parameter of the edge, in its own direction</source>
+        <translation>Der Parameter der Kante, in ihrer eigenen Richtung</translation>
+    </message>
+    <message>
+        <source>To the special point before</source>
+        <translation>Zum besonderen Punkt davor</translation>
+    </message>
+    <message>
+        <source>To the next special point</source>
+        <translation>Zum nächsten besonderen Punkt</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>The mouse takes the point to ends, joins, knots, inflections and vertices that are near; Shift does the opposite</source>
+        <translation>Die Maus bringt den Punkt zu nahen Enden, Übergängen, Knoten, Wendepunkten und Scheiteln; Umschalt bewirkt das Gegenteil</translation>
+    </message>
+    <message>
+        <source>Follow the mouse</source>
+        <translation>Der Maus folgen</translation>
+    </message>
+    <message>
+        <source>The point follows the mouse along the edges until a click; without this it is dragged, or brought by a double-click</source>
+        <translation>Der Punkt folgt der Maus entlang der Kanten bis zu einem Klick; sonst wird er gezogen oder mit einem Doppelklick geholt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Arc length</source>
+        <translation>Bogenlänge</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Special</source>
+        <translation>Besonderes</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>frame t, n, b</source>
+        <translation>Dreibein t, n, b</translation>
+    </message>
+    <message>
+        <source>osculating circle</source>
+        <translation>Krümmungskreis</translation>
+    </message>
+    <message>
+        <source>de Casteljau</source>
+        <translation>de Casteljau</translation>
+    </message>
+    <message>
+        <source>values at the point</source>
+        <translation>Werte beim Punkt</translation>
+    </message>
+    <message>
+        <source>special points</source>
+        <translation>besondere Punkte</translation>
+    </message>
+    <message>
+        <source>on edge {}</source>
+        <translation>auf Kante {}</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>davor</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>danach</translation>
+    </message>
+    <message>
+        <source>at: {}</source>
+        <translation>hier: {}</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>binormal</source>
+        <translation>Binormale</translation>
+    </message>
+    <message>
+        <source>osculating circle, R {}</source>
+        <translation>Krümmungskreis, R {}</translation>
+    </message>
+    <message>
+        <source>its centre is far away</source>
+        <translation>sein Mittelpunkt ist weit weg</translation>
+    </message>
+    <message>
+        <source>no construction: the segment is a point</source>
+        <translation>keine Konstruktion: das Segment ist ein Punkt</translation>
+    </message>
+    <message>
+        <source>de Casteljau, t = {} on the segment</source>
+        <translation>de Casteljau, t = {} auf dem Segment</translation>
+    </message>
+    <message>
+        <source>control polygon, degree {}</source>
+        <translation>Kontrollpolygon, Grad {}</translation>
+    </message>
+    <message>
+        <source>level {}</source>
+        <translation>Stufe {}</translation>
+    </message>
+    <message>
+        <source>level {}: the point</source>
+        <translation>Stufe {}: der Punkt</translation>
+    </message>
+    <message>
+        <source>join</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>closing join</source>
+        <translation>Schlussübergang</translation>
+    </message>
+    <message>
+        <source>knot</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>no curvature: the speed is zero here</source>
+        <translation>keine Krümmung: die Geschwindigkeit ist hier null</translation>
+    </message>
+    <message>
+        <source>straight: no normal, no circle, no torsion</source>
+        <translation>gerade: keine Normale, kein Kreis, keine Torsion</translation>
+    </message>
+    <message>
+        <source>κ = 0: no normal, no circle, no torsion</source>
+        <translation>κ = 0: keine Normale, kein Kreis, keine Torsion</translation>
+    </message>
+    <message>
+        <source>no torsion</source>
+        <translation>keine Torsion</translation>
+    </message>
+    <message>
+        <source>before: {}</source>
+        <translation>davor: {}</translation>
+    </message>
+    <message>
+        <source>after: {}</source>
+        <translation>danach: {}</translation>
+    </message>
 </context>
 <context>
     <name>OsculatePreferences</name>
@@ -2657,6 +2920,19 @@ Kanten auswählen oder einen ganzen Kantenzug oder eine Skizze.</translation>
 Select the edge that stays, then the edge that changes, or click first and select then.</source>
         <translation>Ändert eine Kante so wenig wie möglich, sodass sie eine andere mit Stetigkeit G0 bis G4 trifft.
 Wählen Sie die Kante, die bleibt, dann die Kante, die sich ändert, oder klicken Sie zuerst und wählen dann.</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_Probe</name>
+    <message>
+        <source>Probe</source>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Moves along curves and shows frame, osculating circle, planes, curvature and torsion, and the construction of de Casteljau; it stays in the document and follows every edit.
+Select edges, sketches or whole objects.</source>
+        <translation>Wandert Kurven entlang und zeigt Dreibein, Krümmungskreis, Ebenen, Krümmung und Torsion und die Konstruktion von de Casteljau; sie bleibt im Dokument und folgt jeder Änderung.
+Kanten, Skizzen oder ganze Objekte auswählen.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 """The mouse that moves the point of a Probe."""
 
+import FreeCADGui
+
 from gui_case import QTest
 from handle_case import MouseUser
 from osculate.gui.overlays.screen import Screen
@@ -68,6 +70,20 @@ class MouseTest(MouseUser, ProbeCase):
         self.finish("Ok")
         self.assertAlmostEqual(self.probe.ArcLength.Value / self.probe.TotalLength.Value, 0.62,
                                delta=0.01)
+
+    def test_the_panel_may_end_while_the_point_follows(self):
+        self.click(self.form_.follow)
+        self.move_to(self.pixel(0.3), Qt.MouseButton.NoButton)
+        self.finish("Ok")
+        self.assertNotAlmostEqual(self.probe.Position, 0.2, delta=0.05)
+        self.assertAlmostEqual(self.probe.ArcLength.Value,
+                               self.probe.Position * self.probe.TotalLength.Value, delta=1e-6)
+        self.form_ = self.edit(self.probe)
+        self.click(self.form_.follow)
+        self.move_to(self.pixel(0.6), Qt.MouseButton.NoButton)
+        FreeCADGui.Control.closeDialog()  # without a button, as FreeCAD may
+        self.pump()
+        self.assertAlmostEqual(self.probe.Position, 0.6, delta=0.03)
 
     def test_a_double_click_brings_the_point(self):
         self.click(self.form_.snap)  # there is a vertex nearby

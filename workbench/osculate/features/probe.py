@@ -16,7 +16,7 @@ PARTS = {
     "normal plane": "NormalPlane", "rectifying plane": "RectifyingPlane",
     "de Casteljau": "DeCasteljau", "read-out": "ReadOut", "marks": "Marks", "legend": "Legend"}
 
-_SHOWN = ("frame", "circle", "read-out", "legend")  # of a new one
+_SHOWN = ("frame", "circle", "read-out", "marks", "legend")  # of a new one
 
 _CURVES = ("Curves", (
     SOURCES,
@@ -39,7 +39,7 @@ _LOOK = ("Look", (
     ("ReadOut", "App::PropertyBool", QT_TRANSLATE_NOOP(
         "App::Property", "Whether curvature, radius and torsion stand beside the point"), LOOK),
     ("Marks", "App::PropertyBool", QT_TRANSLATE_NOOP(
-        "App::Property", "Whether ends, joins, knots, inflections and vertices are marked"), LOOK),
+        "App::Property", "Whether joins, knots, inflections and vertices are marked"), LOOK),
     ("Legend", "App::PropertyBool", QT_TRANSLATE_NOOP(
         "App::Property", "Whether the view explains what is drawn"), LOOK),
 ))

@@ -22,6 +22,7 @@ SPECIAL_LOOKS["knot"] = ("square", colors.POLYGON_ENDS, False)
 
 _PATTERNS = nodes.SOLID, nodes.DASHED  # before and after the point, where these differ
 _CIRCLE_STEPS = 192
+_WHOLE = 0.6         # of the size of the curves: the largest radius of a circle that is drawn whole
 _PLANE = 0.16        # half the side of a plane, as a share of the size of the curves
 _TRANSPARENCY = 0.72
 
@@ -113,14 +114,14 @@ def _avoided(reading):
 
 def is_whole(radius, size):
     """Whether a circle is drawn with its centre: a larger one is an arc near the point."""
-    return radius <= size
+    return radius <= _WHOLE * size
 
 
 def _circle(geometry, size, pattern):
     radius = radius_of(geometry)
     if radius is None or not size:
         return
-    half = math.pi if is_whole(radius, size) else math.pi * size / radius
+    half = math.pi if is_whole(radius, size) else math.pi * _WHOLE * size / radius
     angles = numpy.linspace(-half, half, _CIRCLE_STEPS + 1)[:, None]
     # 2 sin²(φ/2) is 1 − cos φ without cancellation in large circles
     points = (geometry.point + radius * numpy.sin(angles) * geometry.tangent

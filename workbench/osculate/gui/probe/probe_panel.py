@@ -60,5 +60,7 @@ class ProbePanel(SourcesPanel):
         self._drag.show(self._probe(), self.session.result)
 
     def keep(self):
-        self.session.settle()  # the point may still follow the mouse
+        if self._drag.follows:  # until now, and what depends on the point does not know
+            self.session.changed.disconnect(self.show)  # the form may be gone
+            self.session.settle()
         super().keep()
