@@ -2445,7 +2445,7 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>Curve plot</source>
-        <extracomment>whether somebody listens</extracomment>
+        <extracomment>the user chose the scale of the values</extracomment>
         <translation>Kurvenverlauf</translation>
     </message>
     <message>
@@ -2675,6 +2675,10 @@ What a solid from points begins with, in mm.</extracomment>
     <message>
         <source>after: {}</source>
         <translation>danach: {}</translation>
+    </message>
+    <message>
+        <source>{} exists; name it with its ending to replace it.</source>
+        <translation>{} ist schon da; mit seiner Endung benannt wird es ersetzt.</translation>
     </message>
 </context>
 <context>

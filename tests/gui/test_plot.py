@@ -2,6 +2,7 @@
 
 import csv
 import os
+import sys
 import tempfile
 from unittest import mock
 
@@ -9,8 +10,9 @@ import FreeCADGui
 
 import samples
 from gui_case import DARK
-from osculate.gui import colors
+from osculate.gui import colors, matplotlib_qt
 from osculate.gui.plot.plot_dock import PlotDock, show_dock
+from osculate.gui.plot.plot_source import MOST_EDGES
 from osculate.gui.qt import Qt, QtWidgets
 from plot_case import PlotCase
 
@@ -100,6 +102,38 @@ class SelectionTest(PlotCase):
         self.assertIn("Select edges", self.tools.advice.text())
         self.assertIsNotNone(self.dock.source.plot)  # the old one stays
 
+    def test_an_edge_that_is_selected_twice_is_plotted_once(self):
+        line, arc = samples.line_and_arc(self.doc)
+        plot = self.plot((line, "Edge1"), (line, ""), (arc, ""))
+        self.assertEqual(len(plot.curves), 2)
+
+    def test_placement_of_a_part_around_counts(self):
+        line, _ = samples.line_and_arc(self.doc)
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(line)
+        part.Placement.Base.z = 7.0
+        self.doc.recompute()
+        plot = self.plot((part, "Line.Edge1"))
+        self.assertEqual(plot.comb.point[:, 2].tolist(), [7.0] * len(plot.s))
+        self.assertEqual(self.dock.source.labels, ("Line.Edge1",))
+
+    def test_what_has_no_curve_is_left_out_and_said(self):
+        line, _ = samples.line_and_arc(self.doc)
+        endless = samples.add_edge(self.doc, "Endless", samples.Part.Line())
+        plot = self.plot((endless, ""), (line, ""))
+        self.assertEqual(len(plot.curves), 1)
+        self.assertIn("Endless.Edge1: ", self.tools.trouble.text())
+
+    def test_of_very_many_edges_the_first_are_plotted(self):
+        lines = [samples.Part.LineSegment(samples.V(3 * i, 0, 0), samples.V(3 * i + 2, 0, 0))
+                 for i in range(MOST_EDGES + 20)]
+        obj = self.doc.addObject("Part::Feature", "Many")
+        obj.Shape = samples.Part.Compound([line.toShape() for line in lines])
+        plot = self.plot((obj, ""))
+        self.assertEqual(len(plot.curves), MOST_EDGES)
+        self.assertIn(f"Only {MOST_EDGES} of {MOST_EDGES + 20}", self.tools.trouble.text())
+        self.screenshot("plot_many")
+
     def test_is_possible_while_a_task_is_open(self):
         line, arc = samples.line_and_arc(self.doc)
         self.analyze((line, "Edge1"), (arc, "Edge1"))
@@ -157,7 +191,54 @@ class SaveTest(PlotCase):
         self.assertIn("must end with one of", self.tools.advice.text())
         self.assertEqual(os.listdir(self.folder), [])
 
+    def test_another_file_is_not_replaced_without_a_question(self):
+        path = os.path.join(self.folder, "b.svg")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("old")
+        self.save_as("b", "SVG (*.svg)")
+        self.assertIn("b.svg exists", self.tools.advice.text())
+        with open(path, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "old")
+
     def test_cancelled(self):
         with mock.patch.object(QtWidgets.QFileDialog, "getSaveFileName", return_value=("", "")):
             self.click(self.tools.save)
         self.assertEqual(os.listdir(self.folder), [])
+
+
+class BindingTest(PlotCase):
+    def test_other_bindings_of_qt_do_not_lead_matplotlib_astray(self):
+        others = {"PyQt6.QtCore": object(), "PyQt5.QtCore": object()}
+        with mock.patch.dict("sys.modules", others):
+            with matplotlib_qt.ours_alone():
+                self.assertTrue(others.keys().isdisjoint(sys.modules))
+            self.assertLessEqual(others.keys(), sys.modules.keys())
+
+
+class GermanTest(PlotCase):
+    def setUp(self):
+        super().setUp()
+        FreeCADGui.setLocale("German")
+        self.pump()
+
+    def tearDown(self):
+        FreeCADGui.setLocale("English")
+        super().tearDown()
+
+    def test_words(self):
+        line, _ = samples.line_and_arc(self.doc)
+        window = FreeCADGui.getMainWindow()
+        dock = PlotDock(window)
+        self.addCleanup(dock.deleteLater)
+        self.addCleanup(dock.close)
+        window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self.select((line, ""))
+        dock.show()
+        self.wait_for(lambda: dock.source.plot is not None, "the plot")
+        self.pump()
+        self.assertEqual(dock.windowTitle(), "Kurvenverlauf")
+        self.assertEqual(dock.form.lock.text(), "Maßstab festhalten")
+        drawing = dock.form.canvas.drawing
+        self.assertEqual(drawing.look.words["missing"], "gibt es nicht")
+        self.assertLessEqual(dock.form.minimumSizeHint().width(), 520)
+        self.screenshot("plot_german")

@@ -12,8 +12,8 @@ try:
     import matplotlib
     from matplotlib.collections import LineCollection
     from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator
-except ImportError as error:
-    raise ImportError("curve plots are drawn with matplotlib, which is not installed (Debian: "
+except Exception as error:  # a broken installation raises RuntimeError, among others
+    raise ImportError("curve plots are drawn with matplotlib, which does not load (Debian: "
                       f"python3-matplotlib; pip install matplotlib): {error}",
                       name="matplotlib") from error
 
@@ -57,7 +57,7 @@ class PlotDrawing:
         self.figure = figure
         self.axes = {}   #: quantity -> Axes, from top to bottom
         self.cut = ()    #: quantities of which some values are beyond the axis
-        self._plot = self._look = None
+        self._plot = self.look = None
         self._parts = {}   # quantity -> _Parts
         self._labels = []  # of joins; more than are seen, as they were needed
 
@@ -72,8 +72,8 @@ class PlotDrawing:
         quantities = tuple(quantities or plot.quantities)
         self._plot, self._size = plot, size_of([plot.comb])
         with matplotlib.rc_context({"font.size": look.text_points, "svg.fonttype": "path"}):
-            if quantities != tuple(self.axes) or look != self._look:
-                self._look = look
+            if quantities != tuple(self.axes) or look != self.look:
+                self.look = look
                 self._make_axes(quantities)
         self._ranked = sorted(plot.joins, key=_rank)
         lines = _join_lines(plot.joins)
@@ -94,7 +94,7 @@ class PlotDrawing:
     def arrange(self):
         """Places axes and labels by the size of the figure."""
         width, height = 72.0 * self.figure.get_size_inches()
-        unit = self._look.text_points
+        unit = self.look.text_points
         bottom, top = _BOTTOM * unit / height, 1.0 - 2.3 * _ROW * unit / height
         if top - bottom < 0.1 or width < 12.0 * unit:
             return  # too small to show anything
@@ -113,21 +113,21 @@ class PlotDrawing:
 
     def _make_axes(self, quantities):
         self.figure.clear()
-        self.figure.set_facecolor(self._look.paper)
+        self.figure.set_facecolor(self.look.paper)
         found = self.figure.subplots(len(quantities), 1, sharex=True, squeeze=False)[:, 0]
         self.axes = dict(zip(quantities, found))
         for axes in found:
             self._dress(axes)
-        self._parts = {quantity: _Parts(axes, quantity, self._look, axes is found[0])
+        self._parts = {quantity: _Parts(axes, quantity, self.look, axes is found[0])
                        for quantity, axes in self.axes.items()}
         self._labels = []
         for axes in found[:-1]:
             axes.tick_params(bottom=False)
-        found[-1].set_xlabel("s  (mm)", color=self._look.ink, labelpad=2.0)
+        found[-1].set_xlabel("s  (mm)", color=self.look.ink, labelpad=2.0)
 
     def _dress(self, axes):
-        ink = self._look.ink
-        axes.set_facecolor(self._look.ground)
+        ink = self.look.ink
+        axes.set_facecolor(self.look.ground)
         axes.tick_params(colors=ink, which="both", labelcolor=ink, length=3.0)
         axes.grid(True, color=ink, alpha=0.13, linewidth=0.6)
         axes.axhline(0.0, color=ink, alpha=0.45, linewidth=0.8)
@@ -142,7 +142,7 @@ class PlotDrawing:
     def _place_labels(self, width):
         """Shows the labels that have room, the worst joins first."""
         first, last = self.window
-        letter, taken = 0.62 * self._look.text_points, []
+        letter, taken = 0.62 * self.look.text_points, []
         for join in self._ranked:
             place = (join.s - first) / (last - first) * width
             half = 0.5 * letter * len(self._label_of(join)) + 4.0
@@ -167,19 +167,19 @@ class PlotDrawing:
         return top.annotate(
             " ", (0.0, 1.0), (0.0, 3.0), top.get_xaxis_transform(), "offset points", va="bottom",
             ha="center", color="#ffffff", weight="bold", annotation_clip=False,
-            fontsize=0.85 * self._look.text_points,
+            fontsize=0.85 * self.look.text_points,
             bbox={"edgecolor": "none", "boxstyle": "round,pad=0.25"})
 
     def _label_of(self, join):
         if join.order >= 0:
             return join.label
-        return f"{self._look.words['gap']} {number_text.quantity(join.gap_mm, 'mm', 3)}"
+        return f"{self.look.words['gap']} {number_text.quantity(join.gap_mm, 'mm', 3)}"
 
     # Limits of the values
 
     def _set_limits(self, quantity, axes, chosen):
         lowest, highest, note = self._automatic(quantity)
-        is_empty = note in (self._look.words["zero"], self._look.words["missing"])
+        is_empty = note in (self.look.words["zero"], self.look.words["missing"])
         if chosen is not None:
             lowest, highest = chosen
             note = note if is_empty else ""
@@ -202,15 +202,15 @@ class PlotDrawing:
         values = values[numpy.isfinite(values)]
         unit = self._size ** -DIMENSIONS[quantity] if self._size > 0.0 else 1.0
         if not len(values):
-            return -unit, unit, self._look.words["missing"] if self._is_missing(quantity) else ""
+            return -unit, unit, self.look.words["missing"] if self._is_missing(quantity) else ""
         most = usual_largest(comb, quantity, members, _USUAL, _OUTSTANDING)
         largest = float(numpy.abs(values).max())
         if is_rounding(largest, quantity, self._size):
-            return -unit, unit, self._look.words["zero"]
+            return -unit, unit, self.look.words["zero"]
         if most < largest:
             self.cut += (quantity,)
             most *= _BEYOND
-            note = self._look.words["cut"].format(
+            note = self.look.words["cut"].format(
                 number_text.quantity(largest, UNITS[quantity], 3))
             return *_span(numpy.clip(values, -most, most), most), note
         return *_span(values, largest), ""

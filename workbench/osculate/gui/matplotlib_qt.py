@@ -10,7 +10,7 @@ _BINDINGS = ("PyQt6", "PySide6", "PyQt5", "PySide2")  # in the order in which ma
 
 
 @contextmanager
-def _ours_alone():
+def ours_alone():
     """Hides other bindings that some add-on imported: matplotlib takes the first that it finds."""
     names = [f"{binding}.QtCore" for binding in _BINDINGS if binding != _OURS]
     hidden = {name: sys.modules.pop(name) for name in names if name in sys.modules}
@@ -21,10 +21,10 @@ def _ours_alone():
 
 
 try:
-    with _ours_alone():
+    with ours_alone():
         from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
         from matplotlib.backends.qt_compat import QT_API
-except ImportError as error:
+except Exception as error:  # a broken installation raises RuntimeError, among others
     raise ImportError("curve plots are drawn with matplotlib 3.5 or newer, which does not load "
                       f"(Debian: python3-matplotlib; pip install matplotlib): {error}",
                       name="matplotlib") from error
@@ -32,4 +32,4 @@ if QT_API != _OURS:
     raise ImportError(f"matplotlib was loaded with {QT_API} before, but FreeCAD has {_OURS}; start "
                       "FreeCAD again and open the curve plot first", name="matplotlib")
 
-__all__ = ["FigureCanvasQTAgg"]
+__all__ = ["FigureCanvasQTAgg", "ours_alone"]

@@ -21,7 +21,6 @@ class PlotCanvas(FigureCanvasQTAgg):
     pointed = Signal(object)  #: the arc length under the mouse, None where it left
     clicked = Signal(object)  #: the arc length where it was
     locked = Signal()         #: the user chose the scale of the values
-    is_linked = False         #: whether somebody listens
 
     def __init__(self):
         screen = QtGui.QGuiApplication.primaryScreen()

@@ -38,6 +38,8 @@ class PlotDock(QtWidgets.QDockWidget):
         self.form.quantities_changed.connect(self.refresh)
         self.form.follow_toggled.connect(self._follow_toggled)
         self.form.save_requested.connect(self.save)
+        self.form.pointed.connect(self._pointed)
+        self.form.clicked.connect(self._pin)
         self.form.shown.connect(self._start)
         self.form.hidden.connect(self._stop)
 
@@ -115,10 +117,6 @@ class PlotDock(QtWidgets.QDockWidget):
         except ImportError as error:
             self.form.trouble.say(str(error), "error")
             return
-        if self.form.canvas is not None and not self.form.canvas.is_linked:
-            self.form.canvas.is_linked = True
-            self.form.canvas.pointed.connect(self._pointed)
-            self.form.canvas.clicked.connect(self._pin)
         self._follow_in_view(plot)
 
     def _follow_in_view(self, plot):
@@ -195,8 +193,13 @@ class PlotDock(QtWidgets.QDockWidget):
         path, chosen = QtWidgets.QFileDialog.getSaveFileName(
             self.form, translate("Osculate", "Save the plot"), "curve-plot.svg",
             ";;".join(f"{name} (*{ending})" for name, ending in _FILTERS))
-        if path and not os.path.splitext(path)[1]:
-            path += next((ending for name, ending in _FILTERS if chosen.startswith(name)), ".svg")
+        if not path or os.path.splitext(path)[1]:
+            return path
+        path += next((ending for name, ending in _FILTERS if chosen.startswith(name)), ".svg")
+        if os.path.exists(path):  # the dialog asked about another name
+            self.form.advice.say(translate("Osculate", "{} exists; name it with its ending to "
+                                                       "replace it.").format(path), "warning")
+            return ""
         return path
 
     def save_to(self, path):

@@ -18,6 +18,8 @@ class PlotForm(QtWidgets.QWidget):
     quantities_changed = Signal()
     follow_toggled = Signal(bool)
     save_requested = Signal()
+    pointed = Signal(object)  #: as those of the PlotCanvas
+    clicked = Signal(object)
     shown = Signal()
     hidden = Signal()
     canvas = None  #: the PlotCanvas, once there was something to plot
@@ -110,6 +112,8 @@ class PlotForm(QtWidgets.QWidget):
         if self.canvas is None:
             from osculate.gui.plot.plot_canvas import PlotCanvas  # takes a second, or fails
             self.canvas = PlotCanvas()
+            self.canvas.pointed.connect(self.pointed)
+            self.canvas.clicked.connect(self.clicked)
             self.canvas.locked.connect(lambda: self._check_quietly(self.lock, True))
             self._layout.insertWidget(3, self.canvas, 1)
 
