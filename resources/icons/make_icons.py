@@ -142,6 +142,11 @@ def command_icons():
                        stroke("M13 33 C16 17 23 13 28 17", COMB, 4.4),
                        stroke("M28 27 C33 35 37 32 43 20", COMB, 4.4), dot(28, 17, 3.6, *NODE)),
         "keep": pin,
+        "audit": (stroke("M10 5 H38 V43 H10 Z", NEUTRAL, 3.6),
+                  *(dot(18, y, 3.6, color) for y, color in (
+                      (14.5, GAP), (24, ORDER_COLORS[1]), (33.5, ORDER_COLORS[4]))),
+                  stroke("M25 14.5 H32 M25 24 H32 M25 33.5 H28", NEUTRAL, 3.2),
+                  stroke("M30 37 L35 42 L45 30", GOOD, 4.6)),
     }
 
 

@@ -22,6 +22,7 @@
     </message>
     <message>
         <source>Highest order analysed, 0 to 8</source>
+        <extracomment>A group as in properties.add_properties, and what its properties begin with.</extracomment>
         <translation>Höchste untersuchte Ordnung, 0 bis 8</translation>
     </message>
     <message>
@@ -30,6 +31,7 @@
     </message>
     <message>
         <source>Largest distance of the ends that passes G0</source>
+        <extracomment>Names of the presets, in the order in which they are offered.</extracomment>
         <translation>Größter Abstand der Enden, der G0 besteht</translation>
     </message>
     <message>
@@ -131,7 +133,6 @@
     </message>
     <message>
         <source>The derivative of arc length of this order at the end, by the parameter, as a share of the chord; β1 is the speed</source>
-        <extracomment>of CombMark, in the order of the samples</extracomment>
         <translation>Die Ableitung dieser Ordnung der Bogenlänge nach dem Parameter am Ende, als Anteil der Sehne; β1 ist die Geschwindigkeit</translation>
     </message>
     <message>
@@ -761,6 +762,82 @@
         <source>Whether joins, knots, inflections and vertices are marked</source>
         <translation>Ob Übergänge, Knoten, Wendepunkte und Scheitel markiert sind</translation>
     </message>
+    <message>
+        <source>The objects whose joins are audited; of each all edges count</source>
+        <translation>Die Objekte, deren Übergänge geprüft werden; von jedem zählen alle Kanten</translation>
+    </message>
+    <message>
+        <source>Matched curves that stand for the edges that they change</source>
+        <translation>Angepasste Kurven, die für die Kanten stehen, die sie ändern</translation>
+    </message>
+    <message>
+        <source>Which edges at a vertex are a join: all but corners, those that follow each other in a wire, or all</source>
+        <translation>Welche Kanten an einem Eckpunkt ein Übergang sind: alle außer Ecken, solche, die in einem Kantenzug aufeinander folgen, oder alle</translation>
+    </message>
+    <message>
+        <source>Tangents that turn by more than this are a corner</source>
+        <translation>Tangenten, die sich um mehr als das drehen, sind eine Ecke</translation>
+    </message>
+    <message>
+        <source>How far ends of edges in no wire may be apart to be a join; 0: only where they share a vertex</source>
+        <translation>Wie weit die Enden von Kanten ohne Kantenzug auseinander sein dürfen, um ein Übergang zu sein; 0: nur wo sie einen Eckpunkt teilen</translation>
+    </message>
+    <message>
+        <source>The order that joins must have; those below are out of tolerance</source>
+        <translation>Die Ordnung, die Übergänge haben müssen; die darunter sind außer Toleranz</translation>
+    </message>
+    <message>
+        <source>Which joins are drawn, in the colour of their order</source>
+        <translation>Welche Übergänge gezeichnet werden, in der Farbe ihrer Ordnung</translation>
+    </message>
+    <message>
+        <source>How many joins that are out of tolerance have a number, the worst first</source>
+        <translation>Wie viele Übergänge außer Toleranz eine Nummer haben, die schlechtesten zuerst</translation>
+    </message>
+    <message>
+        <source>Whether the view explains the colours</source>
+        <translation>Ob die Ansicht die Farben erklärt</translation>
+    </message>
+    <message>
+        <source>Number of joins of this order</source>
+        <translation>Zahl der Übergänge dieser Ordnung</translation>
+    </message>
+    <message>
+        <source>Number of joins</source>
+        <translation>Zahl der Übergänge</translation>
+    </message>
+    <message>
+        <source>Number of joins below the order that they must have</source>
+        <translation>Zahl der Übergänge unter der Ordnung, die sie haben müssen</translation>
+    </message>
+    <message>
+        <source>Number of joins that are not even G0</source>
+        <translation>Zahl der Übergänge, die nicht einmal G0 sind</translation>
+    </message>
+    <message>
+        <source>Number of joins with an order that rounding leaves undecided</source>
+        <translation>Zahl der Übergänge mit einer Ordnung, die die Rundung offen lässt</translation>
+    </message>
+    <message>
+        <source>Number of pairs of edges that were left out as corners</source>
+        <translation>Zahl der Kantenpaare, die als Ecken ausgelassen wurden</translation>
+    </message>
+    <message>
+        <source>Order of the worst join, -1 for a gap</source>
+        <translation>Ordnung des schlechtesten Übergangs, -1 für eine Lücke</translation>
+    </message>
+    <message>
+        <source>The worst join, and what it misses</source>
+        <translation>Der schlechteste Übergang, und was er verfehlt</translation>
+    </message>
+    <message>
+        <source>Where the worst join is</source>
+        <translation>Wo der schlechteste Übergang ist</translation>
+    </message>
+    <message>
+        <source>What was not audited, in sentences</source>
+        <translation>Was nicht geprüft wurde, in Sätzen</translation>
+    </message>
 </context>
 <context>
     <name>Osculate</name>
@@ -1059,7 +1136,9 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>gap</source>
-        <extracomment>name of an icon of resources/icons</extracomment>
+        <extracomment>of one that was double-clicked
+----------
+name of an icon of resources/icons</extracomment>
         <translation>Lücke</translation>
     </message>
     <message>
@@ -2680,6 +2759,281 @@ What a solid from points begins with, in mm.</extracomment>
         <source>{} exists; name it with its ending to replace it.</source>
         <translation>{} ist schon da; mit seiner Endung benannt wird es ersetzt.</translation>
     </message>
+    <message>
+        <source>Auditing {}…</source>
+        <extracomment>by the user, the last recompute</extracomment>
+        <translation>{} wird geprüft …</translation>
+    </message>
+    <message>
+        <source>The audit was stopped. A recompute begins it again.</source>
+        <translation>Die Prüfung wurde angehalten. Neuberechnen beginnt sie wieder.</translation>
+    </message>
+    <message>
+        <source>{} bounds a face of {}: the curve that the face was made from has to change.</source>
+        <translation>{} begrenzt eine Fläche von {}: Die Kurve, aus der die Fläche entstand, muss sich ändern.</translation>
+    </message>
+    <message>
+        <source>{} was left out: {}</source>
+        <translation>{} wurde ausgelassen: {}</translation>
+    </message>
+    <message>
+        <source>{} more edges were left out.</source>
+        <translation>{} weitere Kanten wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Joins are analysed up to G{} only, which does not tell whether they have G{}.</source>
+        <translation>Übergänge werden nur bis G{} untersucht, was nicht sagt, ob sie G{} haben.</translation>
+    </message>
+    <message>
+        <source>There is nothing to audit (was its object deleted?).</source>
+        <translation>Es gibt nichts zu prüfen (wurde das Objekt gelöscht?).</translation>
+    </message>
+    <message>
+        <source>{}, knot at {}</source>
+        <translation>{}, Knoten bei {}</translation>
+    </message>
+    <message>
+        <source>Edges of {} bound faces: no other curve can stand for them.</source>
+        <translation>Kanten von {} begrenzen Flächen: Keine andere Kurve kann für sie stehen.</translation>
+    </message>
+    <message>
+        <source>{} is only a part of an object; an audit takes whole ones.</source>
+        <translation>{} ist nur ein Teil eines Objekts; eine Prüfung nimmt ganze.</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <extracomment>&quot;csv&quot;, &quot;json&quot; or &quot;html&quot;</extracomment>
+        <translation>Prüfung aller Übergänge</translation>
+    </message>
+    <message>
+        <source>Audit what is selected, instead</source>
+        <translation>Stattdessen prüfen, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Audit what is selected, as well</source>
+        <translation>Auch prüfen, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Go to each join that is clicked; a double-click always does</source>
+        <translation>Zu jedem Übergang gehen, der angeklickt wird; ein Doppelklick tut es immer</translation>
+    </message>
+    <message>
+        <source>Match…</source>
+        <translation>Anpassen …</translation>
+    </message>
+    <message>
+        <source>Save all joins as CSV</source>
+        <translation>Alle Übergänge als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Save all joins as JSON</source>
+        <translation>Alle Übergänge als JSON speichern</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Save a page with pictures of the worst joins, to read in a browser</source>
+        <translation>Eine Seite mit Bildern der schlechtesten Übergänge speichern, zum Lesen im Browser</translation>
+    </message>
+    <message>
+        <source>with the 3D view as it is</source>
+        <translation>mit der 3D-Ansicht, wie sie ist</translation>
+    </message>
+    <message>
+        <source>What is required</source>
+        <translation>Was verlangt wird</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Change one of the edges so that they meet as they should</source>
+        <translation>Eine der Kanten so ändern, dass sie sich treffen, wie sie sollen</translation>
+    </message>
+    <message>
+        <source>; matched: {}</source>
+        <translation>; angepasst: {}</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <extracomment>what is shown: indices of rows, from top to bottom</extracomment>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>The worst join has number 1; the labels in the 3D view say these numbers</source>
+        <translation>Der schlechteste Übergang hat die Nummer 1; in der 3D-Ansicht stehen diese Nummern</translation>
+    </message>
+    <message>
+        <source>Order of continuity</source>
+        <translation>Ordnung der Stetigkeit</translation>
+    </message>
+    <message>
+        <source>The edges that meet, or the edge with an inner knot</source>
+        <translation>Die Kanten, die sich treffen, oder die Kante mit einem inneren Knoten</translation>
+    </message>
+    <message>
+        <source>The next order and what is missed of it; sorted by how many tolerances that is</source>
+        <translation>Die nächste Ordnung und was zu ihr fehlt; sortiert danach, wie viele Toleranzen das sind</translation>
+    </message>
+    <message>
+        <source>Deviation of this order</source>
+        <translation>Abweichung dieser Ordnung</translation>
+    </message>
+    <message>
+        <source>Joins below this order are out of tolerance</source>
+        <extracomment>properties to set, as a dict</extracomment>
+        <translation>Übergänge unter dieser Ordnung sind außer Toleranz</translation>
+    </message>
+    <message>
+        <source>all but corners</source>
+        <translation>alle außer Ecken</translation>
+    </message>
+    <message>
+        <source>neighbours in a wire</source>
+        <translation>Nachbarn im Kantenzug</translation>
+    </message>
+    <message>
+        <source>all pairs</source>
+        <translation>alle Paare</translation>
+    </message>
+    <message>
+        <source>Which edges at a vertex are a join</source>
+        <translation>Welche Kanten an einem Eckpunkt ein Übergang sind</translation>
+    </message>
+    <message>
+        <source>Tangents that turn by more are a corner</source>
+        <translation>Tangenten, die sich um mehr drehen, sind eine Ecke</translation>
+    </message>
+    <message>
+        <source>How far ends of edges in no wire may be apart to be a join; 0: only where they share a vertex</source>
+        <translation>Wie weit die Enden von Kanten ohne Kantenzug auseinander sein dürfen, um ein Übergang zu sein; 0: nur wo sie einen Eckpunkt teilen</translation>
+    </message>
+    <message>
+        <source>Required</source>
+        <translation>Verlangt</translation>
+    </message>
+    <message>
+        <source>Joins are</source>
+        <translation>Übergänge sind</translation>
+    </message>
+    <message>
+        <source>Corner from</source>
+        <translation>Ecke ab</translation>
+    </message>
+    <message>
+        <source>Ends touch within</source>
+        <translation>Enden treffen sich bis</translation>
+    </message>
+    <message>
+        <source>all joins</source>
+        <extracomment>properties to set, as a dict</extracomment>
+        <translation>alle Übergänge</translation>
+    </message>
+    <message>
+        <source>those out of tolerance</source>
+        <translation>die außer Toleranz</translation>
+    </message>
+    <message>
+        <source>How many joins that are out of tolerance have a number, the worst first</source>
+        <translation>Wie viele Übergänge außer Toleranz eine Nummer haben, die schlechtesten zuerst</translation>
+    </message>
+    <message>
+        <source>Most numbers</source>
+        <translation>Höchstens Nummern</translation>
+    </message>
+    <message>
+        <source>Select objects, and press Take selection: their joins are audited.</source>
+        <translation>Wählen Sie Objekte und drücken Sie „Auswahl nehmen“: Deren Übergänge werden geprüft.</translation>
+    </message>
+    <message>
+        <source>The objects must be in one document, {}.</source>
+        <translation>Die Objekte müssen in einem Dokument sein, {}.</translation>
+    </message>
+    <message>
+        <source>{} cannot be written: {}</source>
+        <translation>{} kann nicht geschrieben werden: {}</translation>
+    </message>
+    <message>
+        <source>The 3D view</source>
+        <translation>Die 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Worst: {}</source>
+        <translation>Am schlechtesten: {}</translation>
+    </message>
+    <message>
+        <source>{} join of {} edges</source>
+        <extracomment>how many gaps, G0, G1, ...</extracomment>
+        <translation>{} Übergang von {} Kanten</translation>
+    </message>
+    <message>
+        <source>{} joins of {} edges</source>
+        <translation>{} Übergänge von {} Kanten</translation>
+    </message>
+    <message>
+        <source>{} below {}</source>
+        <translation>{} unter {}</translation>
+    </message>
+    <message>
+        <source>none below {}</source>
+        <translation>keiner unter {}</translation>
+    </message>
+    <message>
+        <source>corners left out: {}</source>
+        <translation>ausgelassene Ecken: {}</translation>
+    </message>
+    <message>
+        <source>undecided: {}</source>
+        <translation>offen: {}</translation>
+    </message>
+    <message>
+        <source>below {}</source>
+        <translation>unter {}</translation>
+    </message>
+    <message>
+        <source>out of tolerance (below {})</source>
+        <translation>außer Toleranz (unter {})</translation>
+    </message>
+    <message>
+        <source>gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>any deviation</source>
+        <translation>jede Abweichung</translation>
+    </message>
+    <message>
+        <source>{} at least</source>
+        <translation>{} mindestens</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>An inner knot of one edge: Match changes edges where they meet. Join can smooth it.</source>
+        <extracomment>the object of the changed edge, which is nothing but that edge</extracomment>
+        <translation>Ein innerer Knoten einer Kante: Anpassen ändert Kanten, wo sie sich treffen. Verbinden kann ihn glätten.</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
+    </message>
+    <message>
+        <source>the worst {} of {} numbered</source>
+        <translation>die schlechtesten {} von {} nummeriert</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>OsculatePreferences</name>
@@ -2764,6 +3118,19 @@ Zwei Kanten auswählen, den Punkt zwischen ihnen oder einen ganzen Kantenzug ode
     <message>
         <source>Makes a Bézier solid that meets the selected one over a face with contact C0, C1, …</source>
         <translation>Erzeugt einen Bézier-Körper, der über einer Fläche mit Kontakt C0, C1, … an den ausgewählten stößt</translation>
+    </message>
+</context>
+<context>
+    <name>Osculate_Audit</name>
+    <message>
+        <source>Audit</source>
+        <translation>Prüfung aller Übergänge</translation>
+    </message>
+    <message>
+        <source>Checks all joins of whole objects at once, worst first, with a table, filters and labels; it stays in the document and follows every edit.
+Select objects.</source>
+        <translation>Prüft alle Übergänge ganzer Objekte auf einmal, die schlechtesten zuerst, mit Tabelle, Filtern und Nummern; die Prüfung bleibt im Dokument und folgt jeder Änderung.
+Wählen Sie Objekte.</translation>
     </message>
 </context>
 <context>

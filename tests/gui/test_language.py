@@ -4,6 +4,7 @@ import FreeCADGui
 
 import samples
 from gui_case import GuiCase
+from osculate.gui.audit.audit_form import AuditForm
 from osculate.gui.construct.blend_form import BlendForm
 from osculate.gui.solid_panel.solid_form import SolidForm
 
@@ -40,6 +41,22 @@ class GermanTest(GuiCase):
         self.assertIn("Krümmungsänderung", self.form().energies.text())
         self.screenshot("german_blend")
         self.assertLessEqual(self.form().minimumSizeHint().width(), 340)  # or it would be cut
+
+    def test_audit(self):
+        self.form_type = AuditForm
+        profile = samples.profile(self.doc)
+        self.select((profile, ""))
+        FreeCADGui.runCommand("Osculate_Audit")
+        self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
+        form = self.form()
+        form.options.required.setValue(2)
+        for section in form.sections:
+            section.header.setChecked(True)
+        self.pump()
+        self.assertEqual(form.windowTitle(), "Prüfung aller Übergänge")
+        self.assertIn("Übergänge von 5 Kanten, <b>2</b> unter G2", form.summary.text())
+        self.screenshot("german_audit")
+        self.assertLessEqual(form.minimumSizeHint().width(), 340)  # or it would be cut
 
     def test_solids(self):
         self.form_type = SolidForm

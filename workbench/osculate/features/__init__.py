@@ -1,5 +1,6 @@
 """Document objects of Osculate: properties and recomputation, usable without FreeCAD's GUI."""
 
+from osculate.features.audit import make_audit
 from osculate.features.bezier_solid import make_bezier_solid
 from osculate.features.blend_curve import make_blend_curve
 from osculate.features.control_polygons import make_control_polygons
@@ -13,7 +14,7 @@ from osculate.features.probe import make_probe
 from osculate.features.solid_brep import make_solid_brep
 from osculate.features.solid_contact import make_solid_contact
 
-__all__ = ["make_bezier_solid", "make_blend_curve", "make_control_polygons",
+__all__ = ["make_audit", "make_bezier_solid", "make_blend_curve", "make_control_polygons",
            "make_curvature_comb", "make_extended_curve", "make_interpolated_curve",
            "make_join_check", "make_joined_curve", "make_matched_curve", "make_probe",
            "make_solid_brep", "make_solid_contact"]

@@ -8,8 +8,9 @@ from osculate.features import views
 from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.features.join_check_properties import add_properties, set_editors, set_numbers
 from osculate.features.joins import ENDS, JoinPlace
-from osculate.features.tolerance_choice import (
-    CUSTOM, ToleranceValues, tolerances_of, values_of)
+from osculate.features.tolerance_choice import CUSTOM, tolerances_of
+from osculate.features.tolerance_properties import (
+    set_tolerance_values, take_preset, tolerances_in)
 
 
 class JoinCheck:
@@ -24,7 +25,8 @@ class JoinCheck:
         add_properties(obj)
         obj.SchemaVersion = self.SCHEMA_VERSION
         obj.Proxy = self
-        _take_preset(obj)
+        take_preset(obj)
+        set_editors(obj)
 
     def onDocumentRestored(self, obj):
         add_properties(obj)
@@ -35,7 +37,7 @@ class JoinCheck:
 
     def onChanged(self, obj, name):
         if name == "Preset" and not FreeCAD.isRestoring():
-            _take_preset(obj)
+            take_preset(obj)
 
     def execute(self, obj):
         try:
@@ -88,7 +90,7 @@ def configure(obj, *, order, ends, preset, values, knot=0):
     obj.Knot = knot
     obj.Preset = preset
     if preset == CUSTOM:
-        _set_tolerances(obj, values)
+        set_tolerance_values(obj, values)
 
 
 def place_of(obj):
@@ -103,17 +105,6 @@ def is_at(obj, place):
         return place_of(obj) == place
     except LinkError:
         return False
-
-
-def tolerances_in(obj):
-    """The Tolerances of a JoinCheck. Raises ValueError if one of its own values is unfit."""
-    return tolerances_of(obj.Preset, tolerance_values_in(obj))
-
-
-def tolerance_values_in(obj):
-    """The five tolerances that a JoinCheck shows."""
-    return ToleranceValues(obj.GapTolerance.Value, obj.AngleTolerance.Value,
-                           obj.CurvatureTolerance, obj.ThirdTolerance, obj.FourthTolerance)
 
 
 def _check_arguments(order, ends, preset, values, knot):
@@ -132,20 +123,6 @@ def _name_of_ends(ends):
         if pair == (None if ends is None else tuple(ends)):
             return name
     raise ValueError(f"ends must be None or a pair of \"start\" and \"end\", not {ends!r}")
-
-
-def _take_preset(obj):
-    if obj.Preset != CUSTOM:
-        _set_tolerances(obj, values_of(obj.Preset))
-    set_editors(obj)
-
-
-def _set_tolerances(obj, values):
-    obj.GapTolerance = values.gap_mm
-    obj.AngleTolerance = values.angle_deg
-    obj.CurvatureTolerance = values.curvature
-    obj.ThirdTolerance = values.third
-    obj.FourthTolerance = values.fourth
 
 
 def continuity_name(order):

@@ -6,12 +6,12 @@ from FreeCAD import Qt
 
 from osculate.features import properties
 from osculate.features.joins import ENDS
-from osculate.features.properties import HIDDEN, LINK, READ_ONLY, SHOWN
-from osculate.features.tolerance_choice import CUSTOM, PRESETS
+from osculate.features.properties import HIDDEN, LINK, READ_ONLY
+from osculate.features.tolerance_properties import STARTS, TOLERANCES, set_tolerance_editors
 
 QT_TRANSLATE_NOOP = Qt.QT_TRANSLATE_NOOP
 
-_STARTS = {"Ends": list(ENDS), "Preset": [*PRESETS, CUSTOM], "OrderAsked": (4, 0, 8, 1)}
+_STARTS = {"Ends": list(ENDS), **STARTS}
 
 _JOIN = (
     ("First", LINK, QT_TRANSLATE_NOOP(
@@ -22,22 +22,6 @@ _JOIN = (
         "App::Property", "Which end of the first and of the second edge meet")),
     ("Knot", "App::PropertyInteger", QT_TRANSLATE_NOOP(
         "App::Property", "Number of an inner knot of the first edge, 0 for a join at ends")),
-)
-_TOLERANCES = (
-    ("OrderAsked", "App::PropertyIntegerConstraint", QT_TRANSLATE_NOOP(
-        "App::Property", "Highest order analysed, 0 to 8")),
-    ("Preset", "App::PropertyEnumeration", QT_TRANSLATE_NOOP(
-        "App::Property", "Tolerances of Osculate, of another system, or custom")),
-    ("GapTolerance", "App::PropertyLength", QT_TRANSLATE_NOOP(
-        "App::Property", "Largest distance of the ends that passes G0")),
-    ("AngleTolerance", "App::PropertyAngle", QT_TRANSLATE_NOOP(
-        "App::Property", "Largest angle between the tangents that passes G1")),
-    ("CurvatureTolerance", "App::PropertyFloat", QT_TRANSLATE_NOOP(
-        "App::Property", "Largest relative deviation of curvature that passes G2")),
-    ("ThirdTolerance", "App::PropertyFloat", QT_TRANSLATE_NOOP(
-        "App::Property", "Largest relative deviation of the third derivative that passes G3")),
-    ("FourthTolerance", "App::PropertyFloat", QT_TRANSLATE_NOOP(
-        "App::Property", "Largest relative deviation that passes G4 and above")),
 )
 _RESULT = (
     ("Status", "App::PropertyString", QT_TRANSLATE_NOOP(
@@ -84,7 +68,7 @@ _NUMBERS = {
     "curvature_rate_per_mm2": ("CurvatureRateDeviation", "App::PropertyFloat", QT_TRANSLATE_NOOP(
         "App::Property", "Difference of the rates of curvature by arc length, 1/mm²")),
 }
-_GROUPS = (("Join", _JOIN), ("Tolerances", _TOLERANCES), ("Result", _RESULT),
+_GROUPS = (("Join", _JOIN), TOLERANCES, ("Result", _RESULT),
            ("Deviations", tuple(_NUMBERS.values())))
 _NEVER_SHOWN = ("SchemaVersion", "Report")
 
@@ -108,5 +92,4 @@ def set_editors(obj):
     for name, _, _ in _NUMBERS.values():
         exists = not math.isnan(float(getattr(obj, name)))
         obj.setEditorMode(name, READ_ONLY if exists else HIDDEN)
-    for name, _, _ in _TOLERANCES[2:]:
-        obj.setEditorMode(name, SHOWN if obj.Preset == CUSTOM else READ_ONLY)
+    set_tolerance_editors(obj)

@@ -1,6 +1,5 @@
 """How objects are seen that draw something along edges: over the model, live, with a legend."""
 
-import numpy
 from pivy import coin
 
 from osculate.features.edge_overlay import EdgeOverlay
@@ -10,6 +9,7 @@ from osculate.gui.observers import ModelObserver
 from osculate.gui.overlays import nodes
 from osculate.gui.overlays.legend import Legend
 from osculate.gui.overlays.rows_legend import legend_picture
+from osculate.gui.overlays.world import matrix_from_world
 
 
 class EdgeOverlayView(OneModeView):
@@ -90,20 +90,9 @@ class EdgeOverlayView(OneModeView):
             self._drawing.clear()
             self._legend.remove()
             return
-        self._to_world.matrix = _matrix_from_world(obj)
+        self._to_world.matrix = matrix_from_world(obj)
         legend = self.draw(self._drawing, obj, result)
         if obj.Legend:
             self._legend.show(legend, preferences.load().label_points)
         else:
             self._legend.remove()
-
-
-def _matrix_from_world(obj):
-    """Takes back the placement of an App::Part around the object, for drawings in coordinates of
-    the world.
-    """
-    parent = obj.getParentGeoFeatureGroup()
-    if parent is None:
-        return coin.SbMatrix.identity()
-    matrix = numpy.reshape(parent.getGlobalPlacement().inverse().toMatrix().A, (4, 4))
-    return coin.SbMatrix(*map(float, matrix.T.ravel()))  # Coin multiplies rows

@@ -3,7 +3,8 @@
 from functools import partial
 from importlib import import_module
 
-from osculate.features import views
+from osculate.features import long_work, views
+from osculate.features.audit import Audit
 from osculate.features.bezier_solid import BezierSolid
 from osculate.features.blend_curve import BlendCurve
 from osculate.features.control_polygons import ControlPolygons
@@ -17,6 +18,7 @@ from osculate.features.probe import Probe
 from osculate.features.solid_brep import SolidBRep
 from osculate.features.solid_contact import SolidContact
 from osculate.gui import resources
+from osculate.gui.long_work import LongWork
 from osculate.gui.preferences_page import PreferencesPage
 from osculate.gui.workbench import OsculateWorkbench
 
@@ -30,11 +32,13 @@ def register(gui):
     gui.addWorkbench(OsculateWorkbench())
     for kind, view in _VIEWS.items():
         views.register(kind, partial(_give, view))
+    long_work.register(LongWork)
 
 
 #: Proxy class of a document object -> module and class of its view, loaded when it is used.
 _VIEWS = {
     JoinCheck: ("osculate.gui.join_check_view", "JoinCheckView"),
+    Audit: ("osculate.gui.audit_view", "AuditView"),
     BlendCurve: ("osculate.gui.construct.blend_view", "BlendCurveView"),
     ControlPolygons: ("osculate.gui.polygons_view", "ControlPolygonsView"),
     Probe: ("osculate.gui.probe_view", "ProbeView"),

@@ -29,7 +29,7 @@ def selected_links():
     # Resolve mode 0 keeps the path from the outermost App::Part, and with it all placements.
     for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
         for sub in selected.SubElementNames or ("",):
-            links.update(dict.fromkeys(_links_of(selected.Object, _plain(sub))))
+            links.update(dict.fromkeys(_links_of(selected.Object, plain_path(sub))))
     return list(links)
 
 
@@ -40,13 +40,13 @@ def selected_sources():
     links = {}
     for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
         for sub in selected.SubElementNames or ("",):
-            link = EdgeLink.of(selected.Object, _plain(sub))
+            link = EdgeLink.of(selected.Object, plain_path(sub))
             edges_at(link)
             links[link] = None
     return list(links)
 
 
-def _plain(sub):
+def plain_path(sub):
     """A path without the topological names that FreeCAD from 1.0 on puts before "Edge1"."""
     return ".".join(name for name in sub.split(".") if not name.startswith((";", "?")))
 
@@ -84,7 +84,7 @@ def selected_vertices():
     links = {}
     for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
         for sub in selected.SubElementNames or ("",):
-            links.update(dict.fromkeys(_vertices_of(selected.Object, _plain(sub))))
+            links.update(dict.fromkeys(_vertices_of(selected.Object, plain_path(sub))))
     return list(links)
 
 
@@ -108,7 +108,7 @@ def selected_point():
     for selected in FreeCADGui.Selection.getSelectionEx("*", 0):
         clicked = [place for place in selected.PickedPoints if any(place)]  # zero stands for none
         point = clicked[-1] if clicked else point
-        for sub in map(_plain, selected.SubElementNames):
+        for sub in map(plain_path, selected.SubElementNames):
             if sub.rpartition(".")[2].startswith("Vertex"):
                 link = VertexLink.of(selected.Object, sub)
     return link, point

@@ -19,3 +19,10 @@ def widen_dock(form):
     width = round(_LEAST_WIDTH * form.logicalDpiX() / 96)
     if dock.width() < width:
         window.resizeDocks([dock], [width], Qt.Orientation.Horizontal)
+
+
+def show_panel(panel):
+    """Shows a task panel, wide enough; returns it."""
+    FreeCADGui.Control.showDialog(panel)
+    widen_dock(panel.form)
+    return panel

@@ -3,6 +3,7 @@
 They need no GUI and run as well inside FreeCAD's own test framework, which wants all in one module.
 """
 
+from osculate.features.selftest.audit_test import AuditTest, FixTest
 from osculate.features.selftest.bezier_solid_test import BezierSolidTest
 from osculate.features.selftest.blend_curve_test import BlendCurveTest
 from osculate.features.selftest.control_net_test import ControlNetTest, NetTextTest
@@ -17,7 +18,7 @@ from osculate.features.selftest.probe_test import ProbeTest
 from osculate.features.selftest.solid_brep_test import SolidBRepTest
 from osculate.features.selftest.solid_contact_test import SolidContactTest
 
-__all__ = ["BezierSolidTest", "BlendCurveTest", "ControlNetTest", "ControlPolygonsTest",
-           "CurvatureCombTest", "ExtendedCurveTest", "InterpolatedCurveTest", "JoinCheckTest",
-           "JoinedCurveTest", "JoinsTest", "MatchedCurveTest", "NetTextTest", "ProbeTest",
-           "SolidBRepTest", "SolidContactTest"]
+__all__ = ["AuditTest", "BezierSolidTest", "BlendCurveTest", "ControlNetTest",
+           "ControlPolygonsTest", "CurvatureCombTest", "ExtendedCurveTest", "FixTest",
+           "InterpolatedCurveTest", "JoinCheckTest", "JoinedCurveTest", "JoinsTest",
+           "MatchedCurveTest", "NetTextTest", "ProbeTest", "SolidBRepTest", "SolidContactTest"]

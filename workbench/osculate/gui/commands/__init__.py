@@ -3,6 +3,7 @@
 import FreeCADGui
 
 from osculate.gui.commands.analyze_join import AnalyzeJoin
+from osculate.gui.commands.audit import Audit
 from osculate.gui.commands.blend import Blend
 from osculate.gui.commands.control_polygons import ControlPolygons
 from osculate.gui.commands.curvature_comb import CurvatureComb
@@ -15,8 +16,8 @@ from osculate.gui.commands.probe import Probe
 from osculate.gui.commands.solids import SOLID_COMMANDS
 
 #: In the order of the toolbar and of the menu.
-COMMANDS = (AnalyzeJoin, CurvatureComb, CurvePlot, Probe, ControlPolygons, Blend, Extend, Match,
-            Join, Interpolate)
+COMMANDS = (AnalyzeJoin, Audit, CurvatureComb, CurvePlot, Probe, ControlPolygons, Blend, Extend,
+            Match, Join, Interpolate)
 
 
 def register():

@@ -7,7 +7,7 @@ import FreeCADGui
 
 from osculate.gui import resources
 from osculate.gui.solid_panel.selected import selected_solids, take_selected_solids
-from osculate.gui.task_dock import widen_dock
+from osculate.gui.task_dock import show_panel
 
 
 class Command:
@@ -59,10 +59,3 @@ class ConstructCommand(Command):
 
     def Activated(self):
         show_panel(self.panel(FreeCAD.ActiveDocument)).take_selection()
-
-
-def show_panel(panel):
-    """Shows a task panel, wide enough; returns it."""
-    FreeCADGui.Control.showDialog(panel)
-    widen_dock(panel.form)
-    return panel

@@ -3,7 +3,8 @@
 import FreeCADGui
 
 from osculate.features.edge_link import LinkError
-from osculate.features.join_check import configure, is_at, place_of, tolerance_values_in
+from osculate.features.join_check import configure, is_at, place_of
+from osculate.features.tolerance_properties import tolerance_values_in
 from osculate.gui.keep import require_one_document
 from osculate.gui.panel.join_panel import JoinPanel
 from osculate.gui.panel.analysis import Options

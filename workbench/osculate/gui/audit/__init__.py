@@ -1,0 +1,1 @@
+"""The task panel of an Audit."""
