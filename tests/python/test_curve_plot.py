@@ -4,9 +4,10 @@ import unittest
 
 import numpy as np
 
+import osculate
 from osculate import COMB_QUANTITIES, Curve, Tolerances, curve_plot, nu_spline
 from support import (
-    Part, circle_then_line, cubic, full_circle, needs_freecad, quarter_circle, spline)
+    Part, circle_then_line, cubic, full_circle, needs_freecad, quarter_circle, shared_file, spline)
 
 
 def quarter_ellipse(a, b):
@@ -66,9 +67,9 @@ class ClosedFormTest(unittest.TestCase):
         self.assertEqual(plot.s[before], plot.s[after])
         self.assertAlmostEqual(plot.comb.curvature[before], 0.1, delta=1e-13)
         self.assertEqual(plot.comb.curvature[after], 0.0)
-        join, = plot.joins
-        self.assertEqual((join.kind, join.order, join.label), ("join", 1, "G1"))
-        self.assertEqual(join.s, plot.s[before])
+        place, = plot.joins
+        self.assertEqual((place.kind, place.order, place.label), ("join", 1, "G1"))
+        self.assertEqual(place.s, plot.s[before])
 
     def test_series_break_at_every_knot_and_join(self):
         plot = curve_plot([spline(5), *circle_then_line()])
@@ -105,6 +106,20 @@ class ChainTest(unittest.TestCase):
                 self.assertAlmostEqual(at.curvature, other.curvature, delta=1e-7)
                 sign = -1.0 if runs_backwards else 1.0
                 self.assertAlmostEqual(sign * at.curvature_rate, other.curvature_rate, delta=1e-5)
+
+    def test_chains_are_those_that_join_makes(self):
+        whole, random = spline(5, seed=9), np.random.default_rng(11)
+        pieces = [whole.trimmed(0, 1.2), whole.trimmed(1.2, 2.7), whole.trimmed(2.7, 3.1),
+                  whole.trimmed(3.1, 5)]
+        for _ in range(10):
+            chosen = [pieces[i].reversed() if random.random() < 0.5 else pieces[i]
+                      for i in random.permutation(4)]
+            joined, plot = osculate.join(chosen), curve_plot(chosen)
+            self.assertAlmostEqual(joined.curve.length(), plot.length, delta=1e-9)
+            np.testing.assert_allclose(joined.curve.evaluate(joined.curve.parameter_range[0])[0],
+                                       plot.comb.point[0], atol=1e-9)
+            self.assertEqual([report.order for report in joined.input_reports],
+                             [each.order for each in plot.joins if each.kind == "join"])
 
     def test_the_first_curve_keeps_its_direction(self):
         arc, line = circle_then_line()
@@ -209,6 +224,27 @@ class BadInputTest(unittest.TestCase):
         lines = [Curve.bezier([(0, 0, 0), (10, 0, 0)]), Curve.bezier([(10.5, 0, 0), (20, 0, 0)])]
         wide = curve_plot(lines, tolerances=Tolerances(gap_mm=1.0))
         self.assertEqual([join.order for join in wide.joins], [4])
+
+
+@needs_freecad
+class RealModelsTest(unittest.TestCase):
+    def check(self, name, least_joins):
+        shape = Part.read(str(shared_file(f"data/{name}")))
+        curves = [Curve.from_edge(edge) for edge in shape.Edges if not edge.Degenerated][:300]
+        plot = curve_plot(curves)
+        self.assertEqual(sorted(plot.order), list(range(len(curves))))
+        total = sum(curve.length() for curve in curves)
+        self.assertAlmostEqual(plot.length, total, delta=1e-12 * total)
+        joins = [each for each in plot.joins if each.kind == "join"]
+        self.assertGreaterEqual(len(joins), least_joins)
+        self.assertLess(max(each.gap_mm for each in joins), 0.1)
+        self.assertTrue((np.diff(plot.s) >= 0.0).all())
+
+    def test_propeller(self):
+        self.check("Propeller.brep", 100)
+
+    def test_impeller(self):
+        self.check("impeller.igs", 200)
 
 
 @needs_freecad

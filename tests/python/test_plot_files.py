@@ -214,6 +214,22 @@ class DrawingTest(unittest.TestCase):
         self.assertEqual([text for text, _ in self.labels(drawing)], ["G2", "G2"])
         self.assertEqual(drawing.window, (0.0, other.length))
 
+    def test_between_two_samples_the_line_is_seen(self):
+        drawing = self.draw(cubic())
+        s, values = drawing._plot.s, drawing._plot.comb.curvature
+        window = [s[40] + share * (s[41] - s[40]) for share in (0.4, 0.6)]
+        drawing.see(window)
+        lowest, highest = drawing.axes["curvature"].get_ylim()
+        self.assertTrue(lowest < np.interp(window[0], s, values) < highest)
+        self.assertEqual(drawing.cut, ())
+
+    def test_bad_options(self):
+        for options, words in (({"quantities": ("speed",)}, "quantities: 'speed' is none of"),
+                               ({"window": (3.0, 3.0)}, "window: must be .first, last. with"),
+                               ({"window": (1.0, float("nan"))}, "window: must be")):
+            with self.subTest(options), self.assertRaisesRegex(ValueError, words):
+                self.draw(cubic(), **options)
+
     def test_limits_can_be_given(self):
         drawing = self.draw(cubic(), limits={"curvature": (-1.0, 2.0)})
         self.assertEqual(drawing.axes["curvature"].get_ylim(), (-1.0, 2.0))

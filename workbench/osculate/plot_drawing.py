@@ -20,6 +20,7 @@ except Exception as error:  # a broken installation raises RuntimeError, among o
 from osculate import number_text, palette
 from osculate.comb_drawing import DIMENSIONS, is_rounding, size_of, usual_largest
 from osculate.combs import SYMBOLS, UNITS
+from osculate.plots import names_of
 
 #: Values more than so many times as large as what this share of the length stays below are cut off,
 #: and how far beyond that the axis reaches.
@@ -68,8 +69,11 @@ class PlotDrawing:
         window: (first, last) arc length that is seen; None: all.
         limits: quantity -> (lowest, highest) that is seen; chosen by the values in the window, such
             that a few outstanding ones do not hide the rest, where there are none.
+
+        Raises ValueError for other quantities and for a window without length.
         """
-        quantities = tuple(quantities or plot.quantities)
+        quantities = names_of(quantities or plot.quantities)
+        window = _checked_window(window or (0.0, plot.length))
         self._plot, self._size = plot, size_of([plot.comb])
         with matplotlib.rc_context({"font.size": look.text_points, "svg.fonttype": "path"}):
             if quantities != tuple(self.axes) or look != self.look:
@@ -79,7 +83,7 @@ class PlotDrawing:
         lines = _join_lines(plot.joins)
         for quantity, parts in self._parts.items():
             parts.show(*plot.series(quantity), lines)
-        self.see(window or (0.0, plot.length), limits)
+        self.see(window, limits)
 
     def see(self, window, limits=None):
         """Shows another part of the arc length, with limits as for `show`."""
@@ -195,25 +199,24 @@ class PlotDrawing:
 
     def _automatic(self, quantity):
         """(lowest, highest, note) by the values that are seen."""
+        comb, s, values = self._plot.comb, self._plot.s, getattr(self._plot.comb, quantity)
         first, last = self.window
-        comb, s = self._plot.comb, self._plot.s
-        members = numpy.flatnonzero((first <= s) & (s <= last))
-        values = getattr(comb, quantity)[members]
-        values = values[numpy.isfinite(values)]
-        unit = self._size ** -DIMENSIONS[quantity] if self._size > 0.0 else 1.0
-        if not len(values):
+        members = numpy.flatnonzero((first <= s) & (s <= last) & numpy.isfinite(values))
+        ends = numpy.interp(self.window, s, values)  # of lines that lead out
+        seen = numpy.concatenate((values[members], ends[numpy.isfinite(ends)]))
+        unit = self._size ** -DIMENSIONS[quantity]
+        if not len(seen):
             return -unit, unit, self.look.words["missing"] if self._is_missing(quantity) else ""
-        most = usual_largest(comb, quantity, members, _USUAL, _OUTSTANDING)
-        largest = float(numpy.abs(values).max())
+        largest = float(numpy.abs(seen).max())
         if is_rounding(largest, quantity, self._size):
             return -unit, unit, self.look.words["zero"]
-        if most < largest:
+        most = usual_largest(comb, quantity, members, _USUAL, _OUTSTANDING) or largest
+        if most * _OUTSTANDING < largest:
             self.cut += (quantity,)
             most *= _BEYOND
-            note = self.look.words["cut"].format(
-                number_text.quantity(largest, UNITS[quantity], 3))
-            return *_span(numpy.clip(values, -most, most), most), note
-        return *_span(values, largest), ""
+            note = self.look.words["cut"].format(number_text.quantity(largest, UNITS[quantity], 3))
+            return *_span(numpy.clip(seen, -most, most), most), note
+        return *_span(seen, largest), ""
 
     def _is_missing(self, quantity):
         return not numpy.isfinite(getattr(self._plot.comb, quantity)).any()
@@ -237,6 +240,13 @@ class _Parts:
     def show(self, s, values, lines):
         self.curve.set_data(s, values)
         self.joins.set(**lines)
+
+
+def _checked_window(window):
+    first, last = map(float, window)
+    if not first < last:
+        raise ValueError(f"window: must be (first, last) with first < last, got {window!r}")
+    return first, last
 
 
 def _join_lines(joins):

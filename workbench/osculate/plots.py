@@ -93,7 +93,7 @@ def curve_plot(curves, *, quantities=PLOT_QUANTITIES, order=4, tolerances=None, 
     found = _curves_from(curves)
     if not found:
         raise ValueError("curves: at least one is needed")
-    return CurvePlot(found, _names(quantities), order, _tolerances(tolerances), density)
+    return CurvePlot(found, names_of(quantities), order, _tolerances(tolerances), density)
 
 
 def _curves_from(curves):
@@ -104,7 +104,9 @@ def _curves_from(curves):
     return shapes.curves_from(curves, "curves")
 
 
-def _names(quantities):
+def names_of(quantities):
+    """Names of COMB_QUANTITIES as a tuple, each once. Raises ValueError for others, and for none.
+    """
     names = (quantities,) if isinstance(quantities, str) else tuple(quantities)
     for name in names:
         if name not in COMB_QUANTITIES:
