@@ -125,7 +125,7 @@
     </message>
     <message>
         <source>Difference of the torsions, 1/mm</source>
-        <translation>Differenz der Windungen, 1/mm</translation>
+        <translation>Differenz der Torsionen, 1/mm</translation>
     </message>
     <message>
         <source>Difference of the rates of curvature by arc length, 1/mm²</source>
@@ -680,7 +680,7 @@
     <message>
         <source>Where the point is, as a share of the length of all edges, 0 to 1</source>
         <extracomment>What can be drawn at the point: the name of its property.</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Punkt ist, als Anteil der Länge aller Kanten, 0 bis 1</translation>
     </message>
     <message>
         <source>Whether tangent, normal and binormal are drawn</source>
@@ -1049,7 +1049,7 @@ What a solid from points begins with, in mm.</extracomment>
     </message>
     <message>
         <source>torsion</source>
-        <translation>Windung</translation>
+        <translation>Torsion</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -2580,7 +2580,7 @@ name of an icon of resources/icons</extracomment>
     <message>
         <source>osculating plane</source>
         <extracomment>(name, text), or None</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Schmiegebene</translation>
     </message>
     <message>
         <source>normal plane</source>
@@ -2593,7 +2593,7 @@ name of an icon of resources/icons</extracomment>
     <message>
         <source>Probe</source>
         <extracomment>the next special point (True), or that before</extracomment>
-        <translation type="unfinished">Sonde</translation>
+        <translation>Sonde</translation>
     </message>
     <message>
         <source>Arc length from the start of the edges</source>

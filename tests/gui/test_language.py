@@ -6,6 +6,8 @@ import samples
 from gui_case import GuiCase
 from osculate.gui.audit.audit_form import AuditForm
 from osculate.gui.construct.blend_form import BlendForm
+from osculate.gui.polygons.polygons_form import PolygonsForm
+from osculate.gui.probe.probe_form import ProbeForm
 from osculate.gui.solid_panel.solid_form import SolidForm
 
 
@@ -57,6 +59,21 @@ class GermanTest(GuiCase):
         self.assertIn("Übergänge von 5 Kanten, <b>2</b> unter G2", form.summary.text())
         self.screenshot("german_audit")
         self.assertLessEqual(form.minimumSizeHint().width(), 340)  # or it would be cut
+
+    def test_what_is_drawn_along_edges(self):
+        line, arc = samples.line_and_arc(self.doc)
+        for command, kind, title in (("Probe", ProbeForm, "Sonde"),
+                                     ("ControlPolygons", PolygonsForm, "Kontrollpolygone")):
+            self.form_type = kind
+            self.select((line, "Edge1"), (arc, "Edge1"))
+            FreeCADGui.runCommand(f"Osculate_{command}")
+            self.wait_for(lambda: self.form() is not None and self.form().isVisible(), "the panel")
+            self.fit()
+            self.assertEqual(self.form().windowTitle(), title)
+            self.screenshot(f"german_{title}")
+            self.assertLessEqual(self.form().minimumSizeHint().width(), 340)  # or it would be cut
+            FreeCADGui.Control.closeDialog()
+            self.pump()
 
     def test_solids(self):
         self.form_type = SolidForm

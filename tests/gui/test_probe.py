@@ -4,6 +4,7 @@ import FreeCAD
 import Part
 
 import samples
+from drawn_case import nodes_of
 from osculate.features import make_probe
 from osculate.gui import colors
 from probe_case import ProbeCase
@@ -72,6 +73,17 @@ class DrawnTest(ProbeCase):
         self.fit()
         self.assertEqual(len(probe.Proxy.result.sides), 2)
         self.assertGreater(self.drawn("probe_jump"), 100)
+
+    def test_of_many_special_points_the_next_ones_are_marked(self):
+        polygon = [V(i % 2, 0.2 * i, 0) for i in range(400)]
+        many = self.doc.addObject("Part::Feature", "Many")
+        many.Shape = Part.makePolygon(polygon)
+        self.doc.recompute()
+        probe = make_probe(self.doc, [many], parts=["marks"])
+        self.assertEqual(len(probe.Proxy.probe.specials), 400)  # with the ends
+        self.assertEqual(len(probe.Proxy.probe.special_points), 400)
+        self.pump()
+        self.assertLess(len(nodes_of(probe, "Image")), 310)
 
     def test_hidden_probe_draws_and_computes_nothing(self):
         self.probe.Visibility = False

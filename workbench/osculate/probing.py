@@ -74,6 +74,9 @@ class CurveProbe(CurveTravel):
         super().__init__(curves, ("curvature",), tolerances or _core.Tolerances(), _DENSITY)
         self.size = size_of([self.comb])
         self.specials = sorted(self._specials(), key=lambda special: special.s)
+        self.special_points = numpy.array(  # (n, 3): where they are, mm
+            [self.curves[special.place].evaluate(special.parameter)[0]
+             for special in self.specials]).reshape(-1, 3)
 
     def at(self, s):
         """The ProbeReading at an arc length in mm; beyond the ends the end. Very near to a special

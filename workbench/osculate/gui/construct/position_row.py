@@ -5,6 +5,7 @@ from osculate.gui.panel.quiet import Slider
 from osculate.gui.qt import QtWidgets, Signal, translate
 
 _STEPS = 1000  # of the slider
+_WIDEST = "00.0000 %"  # what has room in the spin box
 
 
 class PositionRow(QtWidgets.QWidget):
@@ -18,6 +19,7 @@ class PositionRow(QtWidgets.QWidget):
         super().__init__()
         self.slider = Slider(0, _STEPS)
         self.box = NumberSpinBox(" %", 0.0, 100.0)
+        self.box.setMinimumWidth(self.box.fontMetrics().horizontalAdvance(_WIDEST) + 28)
         self.slider.valueChanged.connect(
             lambda value: self.given.emit(value / _STEPS, not self.slider.isSliderDown()))
         self.slider.sliderReleased.connect(self.settled)

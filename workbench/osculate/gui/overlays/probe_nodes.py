@@ -23,6 +23,7 @@ SPECIAL_LOOKS["knot"] = ("square", colors.POLYGON_ENDS, False)
 _PATTERNS = nodes.SOLID, nodes.DASHED  # before and after the point, where these differ
 _CIRCLE_STEPS = 192
 _WHOLE = 0.6         # of the size of the curves: the largest radius of a circle that is drawn whole
+_MOST_MARKS = 300    # more would be a carpet
 _PLANE = 0.16        # half the side of a plane, as a share of the size of the curves
 _TRANSPARENCY = 0.72
 
@@ -59,7 +60,7 @@ class ProbeNodes:
         self.node.removeAllChildren()
         parts = list(_parts(probe.size, reading, look))
         if look.marks:
-            self._mark(probe)
+            self._mark(probe, reading)
             parts.append(self._marks.node)
         marker = PointMarker(colors.CURSOR, look.text_points)
         marker.show(reading.point, *(look.label or ()), avoided=_avoided(reading))
@@ -70,15 +71,19 @@ class ProbeNodes:
         """Draws nothing."""
         self.node.removeAllChildren()
 
-    def _mark(self, probe):
-        if probe is self._marked:
+    def _mark(self, probe, reading):
+        """Marks special points, of very many those along the curves that are next to the point."""
+        numbers = [number for number, special in enumerate(probe.specials)
+                   if special.kind in SPECIAL_LOOKS]
+        if len(numbers) > _MOST_MARKS:
+            distances = numpy.abs([probe.specials[number].s - reading.s for number in numbers])
+            numbers = [numbers[i] for i in numpy.argsort(distances)[:_MOST_MARKS]]
+        elif probe is self._marked:
             return
         self._marked = probe
         points = {}
-        for special in probe.specials:
-            if special.kind in SPECIAL_LOOKS:
-                point = probe.curves[special.place].evaluate(special.parameter)[0]
-                points.setdefault(special.kind, []).append(point)
+        for number in numbers:
+            points.setdefault(probe.specials[number].kind, []).append(probe.special_points[number])
         self._marks.show({kind: numpy.array(rows) for kind, rows in points.items()})
 
 

@@ -2,6 +2,8 @@
 
 import math
 
+import numpy
+
 from osculate.gui.construct.drag_target import DragTarget
 from osculate.gui.overlays.curve_picker import CurvePicker
 from osculate.gui.overlays.screen import Screen
@@ -110,11 +112,9 @@ class ProbeDrag(DragTarget):
 
     def _snapped(self, screen, s, density):
         """The arc length of the special point that is seen nearest to that of another, or this."""
-        x, y = screen.pixel_of(self._probe.at(s).point)
-        nearest, least = s, _SNAP_REACH * density
-        for special in self._probe.specials:
-            point = self._probe.curves[special.place].evaluate(special.parameter)[0]
-            px, py = screen.pixel_of(point)
-            if math.hypot(px - x, py - y) < least:
-                nearest, least = special.s, math.hypot(px - x, py - y)
-        return nearest
+        here = screen.pixel_of(self._probe.at(s).point)
+        apart = numpy.linalg.norm(screen.pixels_of(self._probe.special_points) - here, axis=1)
+        if not len(apart) or numpy.isnan(apart).all():
+            return s
+        nearest = int(numpy.nanargmin(apart))
+        return self._probe.specials[nearest].s if apart[nearest] < _SNAP_REACH * density else s
