@@ -79,11 +79,14 @@ class MatchTest(FixCase):
         self.finish("Ok")
         self.doc.undo()
         self.assertEqual(self.names(), ["Line", "Arc", "Audit"])
-        self.assertEqual(self.obj.Fixes, [])
-        self.doc.recompute()
-        self.assertEqual(self.obj.OutOfTolerance, 1)
+        self.assertEqual((self.obj.OutOfTolerance, self.obj.Fixes), (1, []))
+        self.pump()
+        joins = self.obj.ViewObject.Proxy._joins
+        self.assertEqual((joins.counts, joins.labels), ({1: 1}, 1))
         self.doc.redo()
+        self.pump()
         self.assertEqual((self.obj.OutOfTolerance, len(self.obj.Fixes)), (0, 1))
+        self.assertEqual((joins.counts, joins.labels), ({2: 1}, 0))
 
     def test_cancel_leaves_the_row_as_it_was(self):
         form = self.edit_audit()

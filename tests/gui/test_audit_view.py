@@ -57,7 +57,21 @@ class DrawnTest(AuditCase):
         self.assertEqual(self.drawn("audit_deleted", G1), 0)
         self.doc.undo()
         self.pump()
+        self.obj = self.doc.Audit
         self.assertGreater(self.drawn("audit_undone", G1), 120)
+        self.assertTrue(self.obj.ViewObject.Proxy._legend.is_shown)
+
+    def test_undo_of_an_edit_of_the_model_is_followed(self):
+        joins = self.obj.ViewObject.Proxy._joins
+        self.doc.openTransaction("Edit")
+        self.profile.delGeometry(0)
+        self.doc.recompute()
+        self.doc.commitTransaction()
+        self.assertEqual(joins.counts, {0: 1, 1: 1, 4: 2})
+        self.doc.undo()
+        self.pump()
+        self.assertEqual(joins.counts, {0: 1, 1: 2, 4: 2})
+        self.assertEqual(self.obj.Joins, 5)
 
     def test_survives_saving_and_loading(self):
         with tempfile.TemporaryDirectory() as folder:

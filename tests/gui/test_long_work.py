@@ -7,6 +7,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 
+import osculate
 from construct_case import ConstructCase
 from gui_case import QTest
 from osculate.features import make_audit
@@ -86,6 +87,15 @@ class StopTest(LongWorkCase):
         self.doc.recompute()  # it is still to be done
         self.assertEqual((obj.Status, obj.Proxy.was_stopped), ("OK", False))
         self.assertAlmostEqual(obj.WorstPosition.z, 1.0, delta=1e-12)
+
+    def test_what_draws_meanwhile_begins_no_other_audit(self):
+        polygon = self.polygon(10000)
+        self.when_seen(lambda dialog: None)
+        with mock.patch.object(osculate, "audit", wraps=osculate.audit) as audit:
+            obj = make_audit(self.doc, [polygon], pairs="all")
+            self.pump()
+        self.assertEqual((self.saw, audit.call_count, obj.Joins), (1, 1, 9999))
+        self.assertEqual(sum(obj.ViewObject.Proxy._joins.counts.values()), 9999)
 
     def test_the_window_shows_how_far_it_is(self):
         self.when_seen(lambda dialog: self.screenshot("long_work"))

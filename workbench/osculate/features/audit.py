@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import FreeCAD
+import Part
 
 import osculate
 from osculate.audit_rows import AuditRows
@@ -46,6 +47,7 @@ class Audit(Feature):
     _settings = None     # that `last` was made with
     _refreshes = False   # a recompute is going on
     _is_ahead = False    # a preview made `last`, and no recompute has followed
+    _audits = False      # an audit is going on; while its window is open others may ask for it
 
     def __init__(self, obj):
         super().__init__(obj)
@@ -93,10 +95,14 @@ class Audit(Feature):
 
     def _audit(self, label, model, settings):
         tolerances, order, pairs, corner_deg, touch_mm = settings
-        with long_work(translate("Osculate", "Auditing {}…").format(label)) as progress:
-            report = osculate.audit(model.shape, order=order, tolerances=tolerances,
-                                    progress=progress, pairs=pairs, corner_deg=corner_deg,
-                                    touch_mm=touch_mm)
+        self._audits = True
+        try:
+            with long_work(translate("Osculate", "Auditing {}…").format(label)) as progress:
+                report = osculate.audit(model.shape, order=order, tolerances=tolerances,
+                                        progress=progress, pairs=pairs, corner_deg=corner_deg,
+                                        touch_mm=touch_mm)
+        finally:
+            self._audits = False
         if not report.is_complete:
             self.was_stopped = True
             raise Stopped(translate("Osculate", "The audit was stopped. A recompute begins it "
@@ -130,11 +136,15 @@ class Audit(Feature):
         set_if_changed(obj, "Worst", f"{result.model.row_label(worst[0])}: {headline}")
         set_if_changed(obj, "WorstPosition", FreeCAD.Vector(*worst[0].point))
 
+    def look_again(self):
+        """The model may be another one, without a recompute: `audited` finds out."""
+        self.result, self.error = None, ""
+
     def audited(self, obj):
         """The Audited of the object as it is now or, where it cannot be had, as it was last; of one
         that was just loaded it is made here. None if there is none.
         """
-        return self.restore(obj) or self.last
+        return self.last if self._audits else self.restore(obj) or self.last
 
 
 def make_audit(doc, sources, *, pairs="tangent", corner_deg=15.0, touch_mm=0.01, required=1,
@@ -174,11 +184,14 @@ def add_fix(obj, fix):
 def why_not_matched(link):
     """Why no other curve can stand for an edge; an empty text if one can. Raises LinkError."""
     shape = whole_shape(link)
-    number = int(link.sub.rpartition("Edge")[2])
-    if number > len(shape.Edges):
-        raise LinkError(link.missing(link.owner()))
-    edge = shape.Edges[number - 1]
-    if any(edge.isSame(other) for face in shape.Faces for other in face.Edges):
+    if not shape.countElement("Face"):
+        link.resolve()
+        return ""
+    try:
+        faces = shape.ancestorsOfType(shape.getElement(link.sub.rpartition(".")[2]), Part.Face)
+    except Part.OCCError as error:
+        raise LinkError(link.missing(link.owner())) from error
+    if faces:
         return translate("Osculate", "{} bounds a face of {}: the curve that the face was made "
                                      "from has to change.").format(link.label(),
                                                                    link.owner().Label)

@@ -1,5 +1,6 @@
 """The objects that an audit looks at, as one shape, and what its edges are in the document."""
 
+import functools
 from bisect import bisect_right
 
 import FreeCAD
@@ -19,7 +20,8 @@ class AuditedModel:
     keeps_wires: of an object without faces the edges count one by one otherwise, so that open ends
         of its wires can touch others.
 
-    Raises LinkError where there is no edge.
+    Raises LinkError where there is no object; `shape`, made when it is asked for, where one has no
+    edge.
     """
 
     def __init__(self, links, fixes=(), keeps_wires=False):
@@ -29,9 +31,12 @@ class AuditedModel:
         if not self._members:
             raise LinkError(translate("Osculate", "There is nothing to audit (was its object "
                                                   "deleted?)."))
-        shapes = [member.shape for member in self._members]
-        self.shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
         self._firsts = self._edges = None  # made when a second object asks for them
+
+    @functools.cached_property
+    def shape(self):
+        shapes = [member.shape for member in self._members]
+        return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
     @property
     def is_one_object(self):
@@ -90,22 +95,26 @@ class _Member:
     """One object of a model."""
 
     def __init__(self, link, stand_ins, keeps_wires):
-        self._link = link
-        self._whole = shape = whole_shape(link)
-        if shape.isNull() or not shape.Edges:
-            raise LinkError(translate("Osculate", "{} has no edges.").format(link.owner().Label))
+        self._link, self._keeps_wires = link, keeps_wires
+        self._whole = whole_shape(link)
         owner = link.owner().Name
-        self._stand_ins = {}  # number of an edge -> the EdgeLink of what stands for it
-        for number in range(1, len(shape.Edges) + 1) if stand_ins else ():
-            stand_in = _last(stand_ins, (owner, f"Edge{number}"))
-            if stand_in is not None:
-                self._stand_ins[number] = stand_in
-        if self._stand_ins or not (keeps_wires or shape.Faces):
-            shape = self._loose(shape)  # its edges still share their vertices
-        self.shape = shape
+        own = {key: _last(stand_ins, key) for key in stand_ins if key[0] == owner}
+        self._stand_ins = {int(element[len("Edge"):]): found for (_, element), found in own.items()}
+
+    @functools.cached_property
+    def shape(self):
+        """The edges still share their vertices where they are in no wire."""
+        shape = self._whole
+        if shape.isNull() or not shape.countElement("Edge"):
+            raise LinkError(translate("Osculate", "{} has no edges.")
+                            .format(self._link.owner().Label))
+        if self._stand_ins or not (self._keeps_wires or shape.countElement("Face")):
+            return self._loose(shape)
+        return shape
 
     def is_same(self, other):
-        return (self._link == other._link and not self._stand_ins and not other._stand_ins
+        return (self._link == other._link and self._keeps_wires == other._keeps_wires
+                and not self._stand_ins and not other._stand_ins
                 and self._whole.isSame(other._whole))
 
     def has_stand_in(self, number):
@@ -118,7 +127,7 @@ class _Member:
 
     def _loose(self, shape):
         """The edges in no wire, with others in the place of some."""
-        if shape.Faces:
+        if shape.countElement("Face"):
             raise LinkError(translate(
                 "Osculate", "Edges of {} bound faces: no other curve can stand for them.")
                 .format(self._link.owner().Label))
@@ -163,7 +172,7 @@ def _expanded(link, originals):
 
 def _has_edges(link):
     shape = whole_shape(link)
-    return not shape.isNull() and bool(shape.Edges)
+    return not shape.isNull() and shape.countElement("Edge") > 0
 
 
 def _stand_ins(fixes):

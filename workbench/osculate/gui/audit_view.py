@@ -4,7 +4,7 @@ from osculate.features.audit import Audit
 from osculate.gui import preferences, resources
 from osculate.gui.audit import audit_words
 from osculate.gui.editable_view import OneModeView
-from osculate.gui.observers import Later
+from osculate.gui.observers import Later, UndoObserver
 from osculate.gui.overlays import nodes
 from osculate.gui.overlays.audit_nodes import AuditNodes, color_key
 from osculate.gui.overlays.legend import Legend
@@ -29,6 +29,7 @@ class AuditView(OneModeView):
         self._to_world = self._joins.to_world
         self._legend = Legend(vobj.Object.Document.Name, vobj.Object.Name, legend_picture)
         vobj.addDisplayMode(nodes.separator(self._joins.node, self._legend.node), self.mode)
+        self._observer = UndoObserver(vobj.Object.Document.Name, self._undone)
         self._later = Later(self._draw)
         self._later.start()  # of one that was loaded nothing changes
 
@@ -62,6 +63,13 @@ class AuditView(OneModeView):
         except (AttributeError, ReferenceError, RuntimeError):
             return None
         return obj if is_complete else None
+
+    def _undone(self):
+        """The model may be as it was when another result was found, or the object be back."""
+        obj = self._obj()
+        if obj is not None:
+            obj.Proxy.look_again()
+            self._draw()
 
     def _draw(self):
         obj = self._obj()

@@ -68,6 +68,26 @@ class ModelObserver:
         self._later.stop()
 
 
+class UndoObserver:
+    """Calls `undone()` after undo and redo in a document, until that is closed."""
+
+    def __init__(self, document_name, undone):
+        self._name = document_name
+        self._later = Later(undone)
+        FreeCAD.addDocumentObserver(self)
+
+    def slotUndoDocument(self, document):
+        if document.Name == self._name:
+            self._later.start()
+
+    slotRedoDocument = slotUndoDocument
+
+    def slotDeletedDocument(self, document):
+        if document.Name == self._name:
+            FreeCAD.removeDocumentObserver(self)
+            self._later.stop()
+
+
 class SelectionObserver:
     """Calls `changed()` after something was selected or everything deselected.
 

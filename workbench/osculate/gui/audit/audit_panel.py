@@ -10,6 +10,7 @@ from osculate.features.audited_model import whole_shape
 from osculate.features.constructed import refuse_loop
 from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.features.edge_overlay import links_of
+from osculate.features.long_work import Stopped
 from osculate.gui import preferences, zoom
 from osculate.gui.audit.audit_form import AuditForm
 from osculate.gui.audit.fix import Fix, FixError, begin_later
@@ -73,13 +74,14 @@ class AuditPanel(SessionPanel):
 
     def _make(self, sources):
         options = self.preferences
-        self.session.create(make_object, Sources=sources, OrderAsked=options.order,
-                            Preset=options.preset, Required=min(1, options.order))
-        FreeCADGui.Selection.clearSelection()
-        if self.session.obj.Proxy.was_stopped:
+        try:
+            self.session.create(_make_complete, Sources=sources, OrderAsked=options.order,
+                                Preset=options.preset, Required=min(1, options.order))
+        except Stopped:
             self.reject()  # the document is as it was
-        else:
-            self.show()
+            return
+        FreeCADGui.Selection.clearSelection()
+        self.show()
 
     def _sources(self):
         return [(link.resolve_object(), link.sub) for link in links_of(self.session.obj)]
@@ -233,3 +235,11 @@ class AuditPanel(SessionPanel):
         else:
             self.overlay.remove()
         return super().stop(document_closes)
+
+
+def _make_complete(document, **settings):
+    """Makes an Audit. Raises Stopped where the user stops it."""
+    obj = make_object(document, **settings)
+    if obj.Proxy.was_stopped:
+        raise Stopped(obj.Proxy.error)
+    return obj

@@ -46,7 +46,7 @@ class Fix:
                 ends.reverse()
             elif reasons[1]:
                 raise FixError(reasons[1])
-            hides = len(links[1].owner().Shape.Edges) == 1
+            hides = links[1].owner().Shape.countElement("Edge") == 1
         except LinkError as error:
             raise FixError(str(error)) from error
         order = obj.Required if row.order < obj.Required else min(row.order + 1, obj.OrderAsked)

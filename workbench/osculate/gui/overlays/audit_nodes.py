@@ -66,12 +66,13 @@ class AuditNodes:
         make = _disks if len(drawn) <= _MOST_DISKS else _squares
         self.counts = {int(order): int((orders == order).sum()) for order in numpy.unique(orders)}
         for order in reversed(list(self.counts)):  # the worst over the others
-            points = rows.point[drawn[orders == order]]
+            points = _coordinates(rows.point[drawn[orders == order]])
             is_amiss = order < required
             parent = self._dots if is_amiss else self._small_dots
             dot, rim = _OUT_OF_TOLERANCE if is_amiss else _WITHIN
-            parent.addChild(_colored(_HALO, make(points, rim)))
-            parent.addChild(_colored(colors.of_order(order), make(points, dot)))
+            parent.addChild(nodes.separator(
+                points, _colored(_HALO, make(rim)),
+                _colored(colors.of_order(order), make(dot))))
 
 
 def _nearer():
@@ -91,13 +92,13 @@ def _coordinates(points):
     return coordinates
 
 
-def _disks(points, width):
+def _disks(width):
     disks = coin.SoMarkerSet()
     disks.markerIndex = markers.disk(width)
-    return _coordinates(points), disks
+    return (disks,)
 
 
-def _squares(points, width):
+def _squares(width):
     style = coin.SoDrawStyle()
     style.pointSize = width
-    return style, _coordinates(points), coin.SoPointSet()
+    return style, coin.SoPointSet()
