@@ -118,7 +118,7 @@ class ExportTest(AuditCase):
         self.save("page", path)
         with open(path, encoding="utf-8") as file:
             page = file.read()
-        self.assertIn("<title>Audit", page)
+        self.assertIn("<title>Audit of Profile</title>", page)
         self.assertIn("The 3D view", page)
         self.assertIn("data:image/png", page)
         self.export_form.with_view.setChecked(False)

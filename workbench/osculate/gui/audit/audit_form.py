@@ -174,11 +174,15 @@ def _button(icon, text):
     return button
 
 
-def _sources_text(obj):
-    """"Body, Sketch and 2 more objects"."""
+def sources_text(obj):
+    """"Body, Sketch, …": what an Audit looks at."""
     names = [source.Label for source, _ in obj.Sources]
-    text = ", ".join(names[:4]) + (", …" if len(names) > 4 else "")
-    if obj.Fixes:
-        text += translate("Osculate", "; matched: {}").format(
-            ", ".join(fix.Label for fix in obj.Fixes[:4]) + (", …" if len(obj.Fixes) > 4 else ""))
-    return text
+    return ", ".join(names[:4]) + (", …" if len(names) > 4 else "")
+
+
+def _sources_text(obj):
+    """The same, and the curves that stand for edges."""
+    if not obj.Fixes:
+        return sources_text(obj)
+    fixes = ", ".join(fix.Label for fix in obj.Fixes[:4]) + (", …" if len(obj.Fixes) > 4 else "")
+    return sources_text(obj) + translate("Osculate", "; matched: {}").format(fixes)

@@ -12,7 +12,7 @@ from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.features.edge_overlay import links_of
 from osculate.features.long_work import Stopped
 from osculate.gui import preferences, zoom
-from osculate.gui.audit.audit_form import AuditForm
+from osculate.gui.audit.audit_form import AuditForm, sources_text
 from osculate.gui.audit.fix import Fix, FixError, begin_later
 from osculate.gui.audit.page_picture import save_view, waiting
 from osculate.gui.observers import SelectionObserver
@@ -216,7 +216,8 @@ class AuditPanel(SessionPanel):
                 picture = os.path.join(folder, "view.png")
                 if save_view(self.document_name, picture):
                     pictures.append((picture, translate("Osculate", "The 3D view")))
-            self.audited.report.to_html(path, title=self.session.obj.Label, pictures=pictures)
+            self.audited.report.to_html(path, title=sources_text(self.session.obj),
+                                        pictures=pictures)
 
     def ask_path(self, kind):
         """The file that the user names, or an empty text."""
