@@ -4,6 +4,8 @@ import json
 import os
 import tempfile
 
+import FreeCAD
+
 import samples
 from audit_case import AuditCase
 from osculate.features import make_audit
@@ -66,6 +68,26 @@ class PanelTest(AuditCase):
         self.assertEqual((obj.Required, obj.OutOfTolerance), (2, 2))
         self.finish("Cancel")
         self.assertEqual((obj.Required, obj.OutOfTolerance), (1, 0))
+
+    def test_deleting_the_object_or_closing_the_document_ends_the_panel(self):
+        obj = make_audit(self.doc, [self.profile])
+        self.click_row(self.edit(obj), 0)
+        self.doc.removeObject(obj.Name)
+        self.wait_for(lambda: self.form() is None, "the panel to close")
+        self.assertEqual(self.drawn("audit_deleted", colors.SIDES[0]), 0)
+        obj = make_audit(self.doc, [self.profile])
+        self.click_row(self.edit(obj), 0)
+        FreeCAD.closeDocument(self.doc.Name)
+        self.wait_for(lambda: self.form() is None, "the panel to close")
+
+    def test_a_copy_lives_on_its_own(self):
+        obj = make_audit(self.doc, [self.profile], required=2)
+        copy = self.doc.copyObject(obj, False)
+        obj.Required = 1
+        self.doc.recompute()
+        self.assertEqual((copy.Required, copy.OutOfTolerance, obj.OutOfTolerance), (2, 2, 0))
+        self.pump()
+        self.assertEqual(copy.ViewObject.Proxy._joins.labels, 2)
 
     def test_looking_changes_nothing(self):
         obj = make_audit(self.doc, [self.profile])

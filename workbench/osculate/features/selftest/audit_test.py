@@ -260,6 +260,19 @@ class FixTest(FeatureCase):
         self.assertEqual([model.edge_link(number).object for number in (1, 2, 3)],
                          ["Wire", "MatchedCurve", "Wire"])
 
+    def test_in_an_app_part_the_hidden_edge_is_still_replaced(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObjects([self.line, self.arc])
+        part.Placement.Base = V(0, 0, 7)
+        self.obj.Sources = [(part, "")]
+        self.doc.recompute()
+        self.assertEqual((self.obj.Status, self.obj.OutOfTolerance), ("OK", 1))
+        fix = self.fix((part, "Line.Edge1"), (part, "Arc.Edge1"), order=2, hide_original=True)
+        self.assertFalse(self.arc.Visibility)
+        self.assertEqual((self.obj.Status, self.obj.Joins, self.obj.OutOfTolerance), ("OK", 1, 0))
+        self.assertEqual(self.obj.Proxy.result.model.edge_link(2), EdgeLink.of(fix, "Edge1"))
+        self.assertAlmostEqual(self.obj.WorstPosition.z, 7.0, delta=1e-9)
+
     def test_edges_of_faces_cannot_be_replaced(self):
         box = self.add("Box", Part.makeBox(10, 10, 10))
         self.assertIn("bounds a face of Box", why_not_matched(EdgeLink.of(box, "Edge1")))

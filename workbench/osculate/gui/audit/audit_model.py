@@ -17,7 +17,8 @@ from osculate.gui.verdict import missing_text
 RANK, ORDER, JOIN, MISSES = range(4)
 _KEYS = ("rank", "order", "edges", "missed_by")  # of these columns; then residuals follow
 _FIRST_RESIDUAL = len(_KEYS)
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_ALIGNED = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_RIGHT = int(getattr(_ALIGNED, "value", _ALIGNED))  # Qt 6 enumerations keep it in `value`
 
 
 class AuditModel(QtCore.QAbstractTableModel):
@@ -98,7 +99,7 @@ class AuditModel(QtCore.QAbstractTableModel):
         if role == Qt.ItemDataRole.DecorationRole and column == ORDER:
             return _icon(audit_words.look_of_row(self.rows, member).icon)
         if role == Qt.ItemDataRole.TextAlignmentRole and (column == RANK or column > MISSES):
-            return int(_RIGHT)
+            return _RIGHT
         if role == Qt.ItemDataRole.ForegroundRole and column > MISSES:
             return self._color(member, column - _FIRST_RESIDUAL)
         if role == Qt.ItemDataRole.ToolTipRole:

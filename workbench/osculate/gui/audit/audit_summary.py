@@ -68,7 +68,8 @@ def _worst(audited):
                            rows.residuals[index])
     name = audit_words.look_of_row(rows, index).name
     label = audited.model.row_label(audited.report.rows[index])
-    return f"{label}: {name}{', ' if missing else ''}{missing}"
+    text = f"{label}: {name}{', ' if missing else ''}{missing}"
+    return text.replace(" mm", "\u00a0mm").replace(" %", "\u00a0%")
 
 
 def _aside(found):
