@@ -15,8 +15,12 @@ constexpr double kRelativeError = 1e-12;
 
 /// Length of the part [a, b] of one segment, in its own parameter [0, 1].
 double segmentLength(const BezierCurve& curve, double a, double b) {
-  const auto speed = [&](double t) { return curve.derivatives(t, 1)[1].norm(); };
-  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(speed, a, b, 15,
+  // Over [0, 1]: Boost compares the error over [-1, 1] with the integral over [a, b], and where
+  // that is short it would halve the interval without end.
+  const auto speed = [&](double u) {
+    return (b - a) * curve.derivatives(a + (b - a) * u, 1)[1].norm();
+  };
+  return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(speed, 0.0, 1.0, 15,
                                                                        kRelativeError);
 }
 

@@ -39,8 +39,8 @@ class CurvePlot(CurveTravel):
     Arrays have a row for each sample. Numbers of curves are those of the list that was given.
     """
 
-    def __init__(self, curves, quantities, order, tolerances, density):
-        super().__init__(curves, quantities, tolerances, density)
+    def __init__(self, curves, quantities, order, tolerances, density, tolerance):
+        super().__init__(curves, quantities, tolerances, density, tolerance)
         self.joins = tuple(_Joins(self, order, tolerances).find())
 
     def series(self, quantity):
@@ -76,7 +76,8 @@ class CurvePlot(CurveTravel):
         save_plot(self, path, labels=labels, **options)
 
 
-def curve_plot(curves, *, quantities=PLOT_QUANTITIES, order=4, tolerances=None, density=24):
+def curve_plot(curves, *, quantities=PLOT_QUANTITIES, order=4, tolerances=None, density=24,
+               tolerance=0.001):
     """Curvature, torsion and their rates over arc length along curves, as a CurvePlot.
 
     curves: a Part.Edge or Curve, a sequence of them in any order and direction, or a Part.Shape,
@@ -85,7 +86,7 @@ def curve_plot(curves, *, quantities=PLOT_QUANTITIES, order=4, tolerances=None, 
     quantities: some of COMB_QUANTITIES, which are drawn.
     order: up to which joins and inner knots are analysed, 0 to 8.
     tolerances: Tolerances, the name of a preset, or None for the preset `osculate`.
-    density: as for comb.
+    density, tolerance: of the samples, as for comb.
 
     Values are one-sided at every knot, as those of comb. Raises TypeError for what is no curve,
     ValueError that names the argument and the rule, also where there is no curve at all.
@@ -93,7 +94,8 @@ def curve_plot(curves, *, quantities=PLOT_QUANTITIES, order=4, tolerances=None, 
     found = _curves_from(curves)
     if not found:
         raise ValueError("curves: at least one is needed")
-    return CurvePlot(found, names_of(quantities), order, _tolerances(tolerances), density)
+    return CurvePlot(found, names_of(quantities), order, _tolerances(tolerances), density,
+                     tolerance)
 
 
 def _curves_from(curves):

@@ -13,7 +13,7 @@ class CurveTravel:
     *places* count the curves in the order of travel.
     """
 
-    def __init__(self, curves, quantities, tolerances, density):
+    def __init__(self, curves, quantities, tolerances, density, tolerance=0.005):
         self.quantities = quantities
         self.chains = chains_of(curves, tolerances)
         self.order = [link.curve for chain in self.chains for link in chain.links]
@@ -21,7 +21,7 @@ class CurveTravel:
         self._ranges = [curves[number].parameter_range for number in self.order]
         self.curves = [curves[number].reversed() if is_reversed else curves[number]
                        for number, is_reversed in zip(self.order, self._reversed)]
-        self.comb = comb(self.curves, density=density, quantities=quantities)
+        self.comb = comb(self.curves, density=density, tolerance=tolerance, quantities=quantities)
         self.starts = numpy.concatenate(([0.0], numpy.cumsum(self.comb.lengths)))
         self.length = float(self.starts[-1])
         self.places = numpy.zeros(len(self.comb.parameter), int)

@@ -1,5 +1,6 @@
 #include "osculate/differential/arc_length.h"
 
+#include <chrono>
 #include <limits>
 #include <numbers>
 
@@ -107,6 +108,18 @@ TEST(ParameterAtLength, OfNothingAndOfAllAreTheEnds) {
     EXPECT_EQ(parameterAtLength(curve, 0.0), curve.first());
     EXPECT_EQ(parameterAtLength(curve, length(curve)), curve.last());
   }
+}
+
+TEST(ParameterAtLength, CloseToTheStartIsFoundAtOnce) {
+  const double root = std::sqrt(0.5);
+  const BSplineCurve quarter = bezier({{5, 0, 0}, {5, 5, 0}, {0, 5, 0}}, {1.0, root, 1.0});
+  const auto start = std::chrono::steady_clock::now();
+  for (double s = 1e-16; s < 1e-6; s *= 10.0) {
+    EXPECT_NEAR(parameterAtLength(quarter, s) * 10.0 * root, s, 1e-6 * s);
+    EXPECT_NEAR(length(quarter, 0.0, s / (10.0 * root)), s, 1e-6 * s);
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(passed.count(), 1.0);  // where intervals are halved without end, each takes as long
 }
 
 TEST(ParameterAtLength, NamesLengthsBeyondTheCurve) {
