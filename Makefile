@@ -41,7 +41,7 @@ lint: build     ## format, clang-tidy, flake8, every public header on its own
 	.ci/lint build/release
 
 asan:           ## the core's tests under AddressSanitizer and UndefinedBehaviorSanitizer
-	.ci/setup build test
+	.ci/setup build test asan
 	cmake --preset asan
 	cmake --build --preset asan
 	ctest --preset asan -j$(shell nproc)

@@ -89,7 +89,7 @@ template <int Corners>
 BezierSimplex<Corners> BezierSimplex<Corners>::fromHomogeneous(int degree, int dimension,
                                                                const SimplexNet& net) {
   if (net.rows() == dimension) return BezierSimplex(degree, net);
-  std::vector<double> weights(net.cols());
+  std::vector<double> weights(static_cast<std::size_t>(net.cols()));
   Eigen::MatrixXd points = Eigen::MatrixXd::Zero(dimension, net.cols());
   SpacePoint sum = SpacePoint::Zero(dimension);
   int positive = 0;

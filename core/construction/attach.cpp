@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "osculate/bezier/bernstein.h"
+#include "osculate/bezier/index.h"
 #include "osculate/differential/arc_jet.h"
 #include "osculate/differential/series.h"
 
@@ -11,8 +12,6 @@ namespace osculate {
 namespace {
 
 using Table = detail::PowerTable<double, kMaxOrder>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// power[j][k] is the coefficient of t^k in s(t)^j, for j <= k <= m.
 void setPowers(const ArcLengthSeries& sigma, int m, Table& power) {

@@ -3,14 +3,13 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
+#include "osculate/bezier/index.h"
 #include "osculate/construction/attach.h"
 #include "osculate/differential/arc_jet.h"
 
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// (Q(1) - Q(0)) / c as a polynomial in c: coefficient j-1 is A_j r_j/j!, where A_j is the sum of
 /// the coefficients of t^1 .. t^n of (sum beta_k t^k / k!)^j.

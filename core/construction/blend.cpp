@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "osculate/bezier/bernstein.h"
+#include "osculate/bezier/index.h"
 #include "osculate/construction/blend_problem.h"
 #include "osculate/construction/contact_error.h"
 #include "osculate/construction/minimize.h"
@@ -14,8 +15,6 @@ namespace osculate {
 namespace {
 
 constexpr double kQuadratureTolerance = 0.01;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 void checkOrders(const ContactJet& from, const ContactJet& to, const BlendOptions& options) {
   for (const int order : options.order) {

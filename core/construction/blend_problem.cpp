@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "osculate/bezier/bernstein.h"
+#include "osculate/bezier/index.h"
 #include "osculate/differential/arc_jet.h"
 
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // beyond these a curve is loops or a cusp to the eye; legs in units of chord/n, poles in chords
 constexpr double kLeastSpeed = 0.02;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "osculate/bezier/index.h"
+
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxOrder, 1>;
 using Hessian =
@@ -183,7 +183,7 @@ class Minima {
   std::vector<ContactFit> fits_;
 };
 
-constexpr int kSpeeds = 17;
+constexpr int kSpeedSteps = 17;
 constexpr std::array<double, 11> kSeconds{-12, -8, -5, -3, -1.5, 0, 1.5, 3, 5, 8, 12};
 constexpr int kSecondCount = static_cast<int>(kSeconds.size());
 
@@ -192,10 +192,10 @@ constexpr int kSecondCount = static_cast<int>(kSeconds.size());
 std::vector<ContactFit> gridMinima(const Fit& fit, int order, const ArcLengthSeries& start) {
   constexpr std::size_t kMost = 4;
   const int seconds = order >= 4 ? kSecondCount : 1;
-  Eigen::ArrayXXd cost(kSpeeds, seconds);
+  Eigen::ArrayXXd cost(kSpeedSteps, seconds);
   std::vector<ContactFit> all;
   for (int j = 0; j < seconds; ++j) {
-    for (int i = 0; i < kSpeeds; ++i) {
+    for (int i = 0; i < kSpeedSteps; ++i) {
       const double speed = 0.5 * std::exp2(0.25 * i);
       all.push_back(
           fit.projected({speed * start[0], seconds == 1 ? 0.0 : kSeconds[index(j)] * start[0]}));
@@ -204,12 +204,12 @@ std::vector<ContactFit> gridMinima(const Fit& fit, int order, const ArcLengthSer
   }
   std::vector<ContactFit> minima;
   for (int j = 0; j < seconds; ++j) {
-    for (int i = 0; i < kSpeeds; ++i) {
+    for (int i = 0; i < kSpeedSteps; ++i) {
       const int top = std::max(i - 1, 0);
       const int left = std::max(j - 1, 0);
-      const auto around =
-          cost.block(top, left, std::min(i + 2, kSpeeds) - top, std::min(j + 2, seconds) - left);
-      if (cost(i, j) <= around.minCoeff()) minima.push_back(all[index(j * kSpeeds + i)]);
+      const auto around = cost.block(top, left, std::min(i + 2, kSpeedSteps) - top,
+                                     std::min(j + 2, seconds) - left);
+      if (cost(i, j) <= around.minCoeff()) minima.push_back(all[index(j * kSpeedSteps + i)]);
     }
   }
   std::stable_sort(minima.begin(), minima.end(),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "osculate/bezier/bernstein.h"
+#include "osculate/bezier/index.h"
 #include "osculate/differential/arc_jet.h"
 
 namespace osculate {
@@ -12,8 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// d u_l / d C_k along the tangent: u_l = C(n,l) sum_k (-1)^(l-k) C(l,k) c_k.
 double seriesFactor(int degree, int l, int k) {

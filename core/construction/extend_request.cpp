@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "osculate/bezier/bernstein.h"
+#include "osculate/bezier/index.h"
 #include "osculate/construction/contact_error.h"
 #include "osculate/continuity/curve_joins.h"
 #include "osculate/differential/arc_jet.h"
@@ -16,8 +17,6 @@ namespace {
 // the curvature at once, in a boundary layer where the poles crowd and double coordinates do not
 // carry the order. A first leg of this share of an even one keeps G4 within the preset `exact`.
 constexpr double kLeastStep = 0.35;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 void check(bool good, const char* message) {
   if (!good) throw std::invalid_argument(message);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "osculate/bezier/bernstein.h"
+#include "osculate/bezier/index.h"
 #include "osculate/construction/beta_chord.h"
 #include "osculate/construction/contact_error.h"
 #include "osculate/differential/arc_jet.h"
@@ -15,8 +16,6 @@ namespace osculate {
 namespace {
 
 using Eigen::VectorXd;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 BezierCurve curveOf(const BoundedPoles& poles) {
   return bezierFromPoles(poles.data(), static_cast<int>(poles.cols()) - 1);

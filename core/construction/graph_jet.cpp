@@ -1,5 +1,6 @@
 #include "osculate/construction/graph_jet.h"
 
+#include "osculate/bezier/index.h"
 #include "osculate/differential/arc_jet.h"
 #include "osculate/differential/series.h"
 
@@ -8,8 +9,6 @@ namespace osculate {
 namespace {
 
 using Table = detail::PowerTable<double, kMaxOrder>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// power[j][k], j <= k: the coefficient of x^k in s(x)^j, up to the row or column `last` that has
 /// become known.

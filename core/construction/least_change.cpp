@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "osculate/bezier/index.h"
 #include "osculate/construction/contact_error.h"
 #include "osculate/construction/span_basis.h"
 #include "osculate/differential/arc_jet.h"
@@ -10,8 +11,6 @@
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Column i of a span's table belongs to pole first + i, if that is in the window.
 template <class Columns>

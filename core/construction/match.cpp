@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "osculate/bezier/index.h"
 #include "osculate/bezier/net_distance.h"
 #include "osculate/construction/contact_fit.h"
 #include "osculate/construction/curve_head.h"
@@ -15,8 +16,6 @@
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 void checkRange(int value, int least, int most, const char* name) {
   if (value >= least && value <= most) return;

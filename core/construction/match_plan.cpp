@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "osculate/bezier/index.h"
 #include "osculate/construction/contact_error.h"
 
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Counts what is free where a curve is changed over its first spans.
 class Freedom {

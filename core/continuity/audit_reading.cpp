@@ -13,7 +13,7 @@ namespace osculate {
 
 namespace {
 
-using Json = nlohmann::json;
+using Parsed = nlohmann::json;
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::invalid_argument("no audit report (schema osculate.audit/1): " + what);
@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 
 /// The value of an enum whose name this is.
 template <class Enum>
-Enum named(const Json& value, int count, const char* what) {
+Enum named(const Parsed& value, int count, const char* what) {
   const std::string& text = value.get_ref<const std::string&>();
   for (int i = 0; i < count; ++i) {
     if (name(static_cast<Enum>(i)) == text) return static_cast<Enum>(i);
@@ -29,29 +29,29 @@ Enum named(const Json& value, int count, const char* what) {
   fail(std::string(what) + " '" + text + "' is unknown");
 }
 
-CurveEnd endFrom(const Json& value) {
+CurveEnd endFrom(const Parsed& value) {
   const std::string& text = value.get_ref<const std::string&>();
   if (text != "start" && text != "end") fail("end '" + text + "' is unknown");
   return text == "start" ? CurveEnd::kStart : CurveEnd::kEnd;
 }
 
-double numberOr(const Json& value, double missing) {
+double numberOr(const Parsed& value, double missing) {
   return value.is_null() ? missing : value.get<double>();
 }
 
-std::string textFrom(const Json& value) {
+std::string textFrom(const Parsed& value) {
   return value.is_null() ? std::string() : value.get<std::string>();
 }
 
-std::int8_t orderFrom(const Json& value) {
+std::int8_t orderFrom(const Parsed& value) {
   const int order = value.get<int>();
   if (order < -1 || order > kMaxOrder) fail("order " + std::to_string(order) + " is impossible");
   return static_cast<std::int8_t>(order);
 }
 
-WarningSet warningsFrom(const Json& list) {
+WarningSet warningsFrom(const Parsed& list) {
   WarningSet set;
-  for (const Json& entry : list) {
+  for (const Parsed& entry : list) {
     const std::string& text = entry.get_ref<const std::string&>();
     for (unsigned i = 0; i < static_cast<unsigned>(Warning::kCount); ++i) {
       if (code(static_cast<Warning>(i)) == text) set.add(static_cast<Warning>(i));
@@ -60,7 +60,7 @@ WarningSet warningsFrom(const Json& list) {
   return set;
 }
 
-AuditRow rowFrom(const Json& json) {
+AuditRow rowFrom(const Parsed& json) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   AuditRow row;
   row.edges = json.at("edges").get<std::array<int, 2>>();
@@ -73,8 +73,8 @@ AuditRow rowFrom(const Json& json) {
   row.point = json.at("point").get<std::array<double, 3>>();
   row.order = orderFrom(json.at("order"));
   row.parametricOrder = orderFrom(json.at("parametric_order"));
-  const Json& verdicts = json.at("verdicts");
-  const Json& residuals = json.at("residuals");
+  const Parsed& verdicts = json.at("verdicts");
+  const Parsed& residuals = json.at("residuals");
   if (verdicts.empty() || verdicts.size() > row.verdicts.size() ||
       residuals.size() != verdicts.size())
     fail("a row has a wrong number of orders");
@@ -84,7 +84,7 @@ AuditRow rowFrom(const Json& json) {
   }
   Deviation deviation;
   for (const auto& [name, member] : kDeviationFields) {
-    const Json& value = json.at("deviation").at(std::string(name));
+    const Parsed& value = json.at("deviation").at(std::string(name));
     if (!value.is_null()) deviation.*member = value.get<double>();
   }
   row.residuals[1] = deviation.tangentAngleDegrees.value_or(kInfinity);
@@ -94,8 +94,8 @@ AuditRow rowFrom(const Json& json) {
 }
 
 /// A preset keeps its name and metric only where the numbers are its own.
-Tolerances tolerancesFrom(const Json& options) {
-  const Json& json = options.at("tolerances");
+Tolerances tolerancesFrom(const Parsed& options) {
+  const Parsed& json = options.at("tolerances");
   const std::string& preset = options.at("preset").get_ref<const std::string&>();
   Tolerances tolerances;
   for (const TolerancePreset& known : tolerancePresets()) {
@@ -114,7 +114,7 @@ Tolerances tolerancesFrom(const Json& options) {
   return tolerances;
 }
 
-AuditOptions optionsFrom(const Json& json) {
+AuditOptions optionsFrom(const Parsed& json) {
   AuditOptions options;
   options.analysis.order = json.at("order").get<int>();
   options.analysis.tolerances = tolerancesFrom(json);
@@ -126,7 +126,7 @@ AuditOptions optionsFrom(const Json& json) {
   return options;
 }
 
-AuditedFile fileFrom(const Json& json, const AuditOptions& options) {
+AuditedFile fileFrom(const Parsed& json, const AuditOptions& options) {
   AuditedFile file;
   file.file = textFrom(json.at("file"));
   file.status = named<FileStatus>(json.at("status"), 4, "status");
@@ -136,7 +136,7 @@ AuditedFile fileFrom(const Json& json, const AuditOptions& options) {
   file.report.complete = json.at("complete").get<bool>();
   file.report.edgeCount = json.at("edges").get<int>();
   file.report.corners = json.at("corners_left_out").get<std::size_t>();
-  for (const Json& edge : json.at("skipped")) {
+  for (const Parsed& edge : json.at("skipped")) {
     file.report.skipped.push_back({edge.at("edge").get<int>(), edge.at("degenerated").get<bool>(),
                                    edge.at("reason").get<std::string>()});
   }
@@ -147,11 +147,11 @@ AuditedFile fileFrom(const Json& json, const AuditOptions& options) {
 /// never stands in memory as JSON.
 using RowsByFile = std::map<std::string, std::vector<AuditRow>>;
 
-Json parseWithoutRows(std::istream& stream, RowsByFile& rows) {
+Parsed parseWithoutRows(std::istream& stream, RowsByFile& rows) {
   constexpr int kDepthOfRow = 2;  // of an element of a list of the root
-  return Json::parse(stream, [&](int depth, Json::parse_event_t event, Json& value) {
-    const bool isRow =
-        event == Json::parse_event_t::object_end && depth == kDepthOfRow && value.contains("kind");
+  return Parsed::parse(stream, [&](int depth, Parsed::parse_event_t event, Parsed& value) {
+    const bool isRow = event == Parsed::parse_event_t::object_end && depth == kDepthOfRow &&
+                       value.contains("kind");
     if (!isRow) return true;
     rows[textFrom(value.at("file"))].push_back(rowFrom(value));
     return false;
@@ -160,13 +160,13 @@ Json parseWithoutRows(std::istream& stream, RowsByFile& rows) {
 
 AuditDocument documentFrom(std::istream& stream) {
   RowsByFile rows;
-  const Json json = parseWithoutRows(stream, rows);
+  const Parsed json = parseWithoutRows(stream, rows);
   if (!json.is_object() || json.value("schema", "") != "osculate.audit/1")
     fail("it has another schema");
   AuditDocument document;
   document.options = optionsFrom(json.at("options"));
   std::set<std::string> listed;
-  for (const Json& entry : json.at("files")) {
+  for (const Parsed& entry : json.at("files")) {
     document.files.push_back(fileFrom(entry, document.options));
     if (!listed.insert(document.files.back().file).second)
       fail("it lists the file '" + document.files.back().file + "' twice");
@@ -185,7 +185,7 @@ AuditDocument documentFrom(std::istream& stream) {
 AuditDocument readAuditJson(std::istream& stream) {
   try {
     return documentFrom(stream);
-  } catch (const Json::exception& error) {
+  } catch (const Parsed::exception& error) {
     fail(error.what());
   }
 }

@@ -53,9 +53,9 @@ DefinitionResult result(const Facts& facts, double value, double tolerance, std:
 
 void setCurvatureDefinitions(const Facts& facts, DefinitionResults& all) {
   const auto& [report, tolerances, smaller, larger, tangent] = facts;
-  const auto set = [&](Definition definition, double value, bool condition) {
-    all[static_cast<std::size_t>(definition)] =
-        result(facts, value, tolerances.curvature, 2, condition);
+  const auto set = [&, tolerance = tolerances.curvature](Definition definition, double value,
+                                                         bool condition) {
+    all[static_cast<std::size_t>(definition)] = result(facts, value, tolerance, 2, condition);
   };
   const double flat = kFlatness / report.scaleMm;
   if (larger <= flat) return;  // ratios of curvatures mean nothing on straight sides

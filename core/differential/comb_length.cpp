@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRelative = 1e-9;
 constexpr double kAbsolute = 1e-11;
-constexpr int kDeepest = 50;
+constexpr int kMostBisections = 50;
 
 /// Integral of the speed over an interval h from its derivatives at both ends, as many as there are
 /// weights: sum w_k h^(k+1) (f_0^(k) + (-1)^k f_1^(k)) with
@@ -54,7 +54,7 @@ double polygonLength(const BezierCurve& curve) {
 
 double lengthBetween(const SegmentSampler& sampler, const CombPoint& a, const CombPoint& b) {
   return adaptiveLength(sampler, a, b, kAbsolute * polygonLength(sampler.segment().curve),
-                        kDeepest);
+                        kMostBisections);
 }
 
 }  // namespace osculate

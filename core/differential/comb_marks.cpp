@@ -11,7 +11,6 @@ namespace osculate {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClosest = 1e-9;     ///< a sample as near as this to a mark gives way to it
 constexpr double kLocated = 1e-12;    ///< to so much of the interval roots are found
 constexpr double kStandstill = 1e-8;  ///< a speed below this share of its surroundings is none

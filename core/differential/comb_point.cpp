@@ -12,7 +12,6 @@ namespace osculate {
 namespace {
 
 constexpr int kOrder = 5;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// r_0 .. r_5 in the direction of travel.
 template <class Scalar>

@@ -3,11 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "osculate/differential/flatness.h"
 #include "osculate/differential/segment_cut.h"
 
 namespace osculate {
+
+/// What a point of a curve does not have, such as the torsion of a straight piece.
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The quantities of a comb, and the derivatives that their extrema are found by.
 enum Rate : std::size_t {

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "osculate/bezier/index.h"
+
 namespace osculate {
 
 namespace {
@@ -10,8 +12,6 @@ namespace {
 constexpr int kLongest = kMaxArcOrder * kMaxDegree + kMaxDegree - 1;
 using LongJet = Jet<kLongest>;
 using Row = std::vector<double>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// The first derivative that is not to be told from zero by its error; degree+1 where none is.
 int firstDerivative(const LongJet& jet, int degree) {

@@ -3,6 +3,8 @@
 
 #include "osculate/solid/jacobian.h"
 
+#include "osculate/bezier/index.h"
+
 namespace osculate {
 
 namespace {
@@ -27,8 +29,6 @@ Bounded operator+(const Bounded& a, const Bounded& b) {
 }
 
 using Columns = std::array<std::vector<Bounded>, 4>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Bounded minor2(const Columns& x, std::size_t a, std::size_t b, std::size_t row1, std::size_t row2) {
   return multiply(x[a][row1], x[b][row2]) - multiply(x[a][row2], x[b][row1]);

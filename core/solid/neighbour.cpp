@@ -6,13 +6,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "osculate/bezier/index.h"
 #include "osculate/construction/contact_error.h"
 
 namespace osculate {
 
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 void checkArguments(const BezierTetrahedron& solid, int face, const Barycentric<4>& apex, int order,
                     const NeighbourOptions& options) {

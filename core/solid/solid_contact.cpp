@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "osculate/bezier/index.h"
 #include "osculate/solid/neighbour.h"
 
 namespace osculate {
@@ -12,8 +13,6 @@ namespace osculate {
 namespace {
 
 constexpr int kMaxLattice = 48;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// The second solid laid on the first: same corners on the face, its free corner in place of
 /// `face`.

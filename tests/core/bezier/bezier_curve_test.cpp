@@ -10,7 +10,6 @@
 namespace osculate::test {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Rounding of de Casteljau inside [0, 1]: each of n steps of convex combinations rounds by a few

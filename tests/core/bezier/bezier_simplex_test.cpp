@@ -9,8 +9,6 @@
 namespace osculate::test {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// Where a point of a part lies in the whole.
 template <int Corners>
 Barycentric<Corners> combined(const PartCornersOf<Corners>& corners,

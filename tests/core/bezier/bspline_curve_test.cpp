@@ -11,8 +11,6 @@
 namespace osculate::test {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 double largestPole(const BSplineData& data) { return data.poles.colwise().norm().maxCoeff(); }
 
 TEST(BSplineCurve, EvaluatesAsTheBasisFunctionsOfCoxAndDeBoor) {

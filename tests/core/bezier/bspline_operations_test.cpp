@@ -17,11 +17,6 @@ std::vector<double> parametersOf(const BSplineCurve& curve, Random& random) {
   return parameters;
 }
 
-double tolerance(const BSplineCurve& curve) {
-  return 64.0 * (curve.degree() + 1) * kUnitRoundoff *
-         curve.data().poles.colwise().norm().maxCoeff();
-}
-
 TEST(BSplineCurve, ReversedRunsBackwardsThroughTheSamePoints) {
   Random random(70);
   for (const SplineSample& sample : splineSamples(70)) {

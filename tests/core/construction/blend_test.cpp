@@ -19,6 +19,7 @@ namespace {
 
 using test::BlendCase;
 using test::blendCases;
+using test::distance;
 
 constexpr std::array<Departure, 2> kEndToStart{Departure{.end = CurveEnd::kEnd},
                                                Departure{.end = CurveEnd::kStart}};
@@ -40,14 +41,6 @@ BSplineCurve line(const Vector3& from, const Vector3& to) {
 }
 
 std::string orderName(int order) { return std::string("G").append(std::to_string(order)); }
-
-/// Largest distance of corresponding points of two curves over [0, 1].
-double distance(const BezierCurve& a, const BezierCurve& b) {
-  double largest = 0.0;
-  for (int i = 0; i <= 64; ++i)
-    largest = std::max(largest, (a.evaluate(i / 64.0) - b.evaluate(i / 64.0)).norm());
-  return largest;
-}
 
 TEST(Blend, MeetsTheOrdersAskedForOnEveryCase) {
   for (const BlendCase& task : blendCases()) {

@@ -18,6 +18,7 @@ namespace osculate {
 namespace {
 
 using test::NamedCurve;
+using test::distance;
 
 double lengthOf(const Extension& extension) { return length(BSplineCurve(extension.curve)); }
 
@@ -37,14 +38,6 @@ GivenNumbers given(std::initializer_list<double> numbers) {
   GivenNumbers result;
   std::copy(numbers.begin(), numbers.end(), result.begin());
   return result;
-}
-
-/// Largest distance of corresponding points.
-double distance(const BezierCurve& a, const BezierCurve& b) {
-  double largest = 0.0;
-  for (int i = 0; i <= 64; ++i)
-    largest = std::max(largest, (a.evaluate(i / 64.0) - b.evaluate(i / 64.0)).norm());
-  return largest;
 }
 
 ExtendOptions ofOrder(int order, int degree = 0) {

@@ -16,13 +16,13 @@ BSplineCurve withDisplacement(const BSplineCurve& curve, const Poles& displaceme
   return BSplineCurve(std::move(data));
 }
 
-struct Sample {
+struct ChangeSample {
   KnotVector knots;
   ChangeWindow window;  ///< of a curve of degree 4, two derivatives kept at the far end
 };
 
-const std::vector<Sample>& samples() {
-  static const std::vector<Sample> kSamples{
+const std::vector<ChangeSample>& samples() {
+  static const std::vector<ChangeSample> kSamples{
       {{{0, 1}, {5, 5}}, {1, 2, true}},
       {{{0, 1, 2.5, 3}, {5, 1, 1, 5}}, {3, 4, true}},
       {{{0, 1, 2, 3, 4, 5, 6}, {5, 1, 1, 1, 1, 1, 5}}, {4, 4, false}},
@@ -34,7 +34,7 @@ const std::vector<Sample>& samples() {
 TEST(LeastChange, CostIsTheIntegralAndNothingBeyondTheWindowMoves) {
   Random random(360);
   for (const bool rational : {false, true}) {
-    for (const Sample& sample : samples()) {
+    for (const ChangeSample& sample : samples()) {
       const BSplineCurve curve(randomSplineData(random, 4, sample.knots, rational));
       const LeastChange change =
           leastChange(curveHead(curve, CurveEnd::kStart, sample.window.spans), knotContacts(curve),
@@ -61,7 +61,7 @@ TEST(LeastChange, IsTheLeastUnderItsConstraints) {
   // any other displacement that keeps the contacts costs more: x + e (y - x) for random y of the
   // same kind, made as the answer for another curve's arc length
   Random random(361);
-  for (const Sample& sample : samples()) {
+  for (const ChangeSample& sample : samples()) {
     const BSplineData data = randomSplineData(random, 4, sample.knots, false);
     const BSplineCurve curve(data);
     BSplineData other = data;

@@ -24,16 +24,16 @@ double statedIntegral(const Match& result, const BSplineCurve& b) {
   return std::pow(result.change.rootMeanSquareMm, 2) * lengthMm;
 }
 
-struct Task {
+struct MatchTask {
   std::string name;
   BSplineCurve a;
   BSplineCurve b;
   MatchOptions options;
 };
 
-std::vector<Task> tasks() {
+std::vector<MatchTask> matchTasks() {
   Random random(320);
-  std::vector<Task> result;
+  std::vector<MatchTask> result;
   for (const bool rational : {false, true}) {
     for (const int spans : {1, 4, 20}) {
       for (const int order : {0, 1, 2, 3, 4}) {
@@ -50,7 +50,7 @@ std::vector<Task> tasks() {
 }
 
 TEST(Match, StatesTheIntegralOfTheSquaredDisplacement) {
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     const Match result = solved(task.a, task.b, task.options);
     const double integral = integralOfSquares(task.b, result.curve);
     EXPECT_NEAR(statedIntegral(result, task.b), integral, 1e-6 * integral) << task.name;
@@ -66,7 +66,7 @@ BSplineCurve withPole(const BSplineCurve& curve, Eigen::Index i, const Vector3& 
 TEST(Match, NoFreePoleCanLowerIt) {
   // a free pole moves the curve by its own basis function: the integral is a parabola in each
   // direction, whose vertex is where the pole is
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     const Match result = solved(task.a, task.b, task.options);
     const BSplineCurve before = task.b.elevated(result.change.raised);
     for (int i = task.options.order + 1; i < result.change.poles; ++i) {
@@ -88,7 +88,7 @@ TEST(Match, NoFreePoleCanLowerIt) {
 }
 
 /// What is left when the numbers are given and only poles are chosen: by the public way alone.
-double costAt(const Task& task, const std::vector<double>& beta) {
+double costAt(const MatchTask& task, const std::vector<double>& beta) {
   MatchOptions options = task.options;
   for (std::size_t k = 0; k < beta.size(); ++k)
     options.beta[k] = beta[k];
@@ -101,7 +101,7 @@ bool isHeld(const Match& result) {
 }
 
 TEST(Match, NoFreeNumberCanLowerIt) {
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     const Match result = solved(task.a, task.b, task.options);
     const double least = std::pow(result.change.rootMeanSquareMm, 2);
     EXPECT_NEAR(costAt(task, result.beta), least, 1e-12 * least) << task.name;
@@ -119,7 +119,7 @@ TEST(Match, NoFreeNumberCanLowerIt) {
 TEST(Match, NoFarStartLeadsToLess) {
   // a search that knows nothing of the problem: random numbers, each then improved one at a time
   Random random(321);
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     if (task.options.order == 0) continue;
     const Match result = solved(task.a, task.b, task.options);
     if (isHeld(result)) continue;
@@ -223,7 +223,7 @@ TEST(Match, DoesNotDependOnPlaceSizeOrMirroring) {
   Eigen::Affine3d turn(Eigen::AngleAxisd(0.7, Vector3(1, 2, -1).normalized()));
   turn.pretranslate(Vector3(30, -50, 70));
   Eigen::Affine3d mirror(Eigen::Scaling(1.0, 1.0, -1.0));
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     const Poles own = solved(task.a, task.b, task.options).curve.data().poles;
     const Eigen::Affine3d large(Eigen::Scaling(1e3));
     const Eigen::Affine3d small(Eigen::Scaling(1e-3));
@@ -235,7 +235,7 @@ TEST(Match, DoesNotDependOnPlaceSizeOrMirroring) {
 }
 
 TEST(Match, DoesNotDependOnHowTheCurvesAreWritten) {
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     const Match own = solved(task.a, task.b, task.options);
     const Poles& poles = own.curve.data().poles;
     expectSamePoles(poles, solved(task.a.elevated(2), task.b, task.options).curve.data().poles,
@@ -255,7 +255,7 @@ TEST(Match, DoesNotDependOnHowTheCurvesAreWritten) {
 }
 
 TEST(Match, GivesTheSameCurveForTheSameInput) {
-  for (const Task& task : tasks()) {
+  for (const MatchTask& task : matchTasks()) {
     const Match first = solved(task.a, task.b, task.options);
     const Match second = solved(task.a, task.b, task.options);
     EXPECT_EQ(first.curve.data().poles, second.curve.data().poles) << task.name;

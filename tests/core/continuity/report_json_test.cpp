@@ -8,7 +8,7 @@
 namespace osculate::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Ordered = nlohmann::ordered_json;
 
 CurveJoin joinOfCurves(const BezierCurve& first, const BezierCurve& second, int order = 4) {
   return analyzeCurves(BSplineCurve(first), BSplineCurve(second), withPreset("osculate", order),
@@ -34,7 +34,7 @@ std::vector<CurveJoin> manyJoins() {
 }
 
 /// Numbers from JSON, which has no NaN and no infinity: those are null.
-void expectNumbers(const Json& found, const PerOrder& expected, std::size_t count) {
+void expectNumbers(const Ordered& found, const PerOrder& expected, std::size_t count) {
   ASSERT_EQ(found.size(), count);
   for (std::size_t k = 0; k < count; ++k) {
     if (std::isfinite(expected[k])) {
@@ -48,7 +48,7 @@ void expectNumbers(const Json& found, const PerOrder& expected, std::size_t coun
 TEST(ReportJson, CarriesTheDecisionToTheLastBit) {
   for (const CurveJoin& join : manyJoins()) {
     const JoinReport& report = join.report;
-    const Json json = Json::parse(toJson(join).dump());
+    const Ordered json = Ordered::parse(toJson(join).dump());
     const auto count = static_cast<std::size_t>(report.requestedOrder) + 1;
     EXPECT_EQ(json.at("schema"), "osculate.join/1");
     EXPECT_EQ(json.at("order"), report.order);
@@ -70,7 +70,7 @@ TEST(ReportJson, CarriesTheDecisionToTheLastBit) {
 }
 
 /// Every number of the document is finite, by walking through it.
-void expectNoNaN(const Json& value, const std::string& path) {
+void expectNoNaN(const Ordered& value, const std::string& path) {
   if (value.is_number_float()) {
     EXPECT_TRUE(std::isfinite(value.get<double>())) << path;
   }
@@ -82,15 +82,15 @@ void expectNoNaN(const Json& value, const std::string& path) {
 
 TEST(ReportJson, HasNoNumberThatIsNone) {
   for (const CurveJoin& join : manyJoins()) {
-    const Json json = toJson(join);
+    const Ordered json = toJson(join);
     expectNoNaN(json, "");
     const std::string text = json.dump();
     EXPECT_EQ(text.find("nan"), std::string::npos);
-    EXPECT_EQ(Json::parse(text).dump(), text) << "the round trip changes nothing";
+    EXPECT_EQ(Ordered::parse(text).dump(), text) << "the round trip changes nothing";
   }
 }
 
-std::vector<std::string> keys(const Json& object) {
+std::vector<std::string> keys(const Ordered& object) {
   std::vector<std::string> list;
   for (const auto& item : object.items())
     list.push_back(item.key());
@@ -127,11 +127,11 @@ TEST(ReportJson, HasTheKeysOfTheContractAtEveryJoin) {
                                       "segment",
                                       "derivatives_in_frame"};
   for (const CurveJoin& join : manyJoins()) {
-    const Json json = toJson(join);
+    const Ordered json = toJson(join);
     EXPECT_EQ(keys(json), top);
     EXPECT_EQ(keys(json.at("deviation")), deviation);
     ASSERT_EQ(json.at("sides").size(), 2U);
-    for (const Json& one : json.at("sides")) {
+    for (const Ordered& one : json.at("sides")) {
       EXPECT_EQ(keys(one), side);
       EXPECT_EQ(one.at("derivatives_in_frame").size(), 5U);
       EXPECT_EQ(one.at("derivatives_in_frame")[4].size(), 3U);
@@ -144,13 +144,13 @@ TEST(ReportJson, CarriesSidesSegmentsAndParameter) {
   Random random(301);
   const BSplineCurve curve(randomSplineData(random, 3, {{0, 1, 2}, {4, 2, 4}}, true));
   const CurveJoin join = analyzeInnerJoins(curve).at(0);
-  const Json json = toJson(join);
+  const Ordered json = toJson(join);
   EXPECT_EQ(json.at("parameter"), 1.0);
-  const Json& side = json.at("sides").at(1);
+  const Ordered& side = json.at("sides").at(1);
   EXPECT_EQ(side.at("end"), "start");
   EXPECT_EQ(side.at("curvature").get<double>(), join.report.sides[1].invariants.curvature);
   EXPECT_EQ(side.at("segment").at("degree"), 3);
-  EXPECT_EQ(side.at("segment").at("parameters"), Json({1.0, 2.0}));
+  EXPECT_EQ(side.at("segment").at("parameters"), Ordered({1.0, 2.0}));
   EXPECT_EQ(side.at("segment").at("weights")[2].get<double>(), join.secondSegment.curve.weight(2));
   EXPECT_EQ(side.at("segment").at("poles")[3][1].get<double>(),
             join.secondSegment.curve.pole(3).y());
@@ -159,13 +159,13 @@ TEST(ReportJson, CarriesSidesSegmentsAndParameter) {
 
 TEST(ReportJson, WhatDoesNotExistIsNull) {
   const BezierCurve line = bezier({{-1, 0, 0}, {0, 0, 0}});
-  const Json straight = toJson(joinOfCurves(line, line.segment(1, 2)));
+  const Ordered straight = toJson(joinOfCurves(line, line.segment(1, 2)));
   EXPECT_TRUE(straight.at("sides")[0].at("torsion").is_null());
   EXPECT_TRUE(straight.at("sides")[0].at("normal").is_null());
   EXPECT_TRUE(straight.at("sides")[0].at("segment").at("weights").is_null());
   EXPECT_TRUE(straight.at("definitions").at("g3-torsion").at("verdict").is_null());
   EXPECT_TRUE(straight.at("parameter").is_null());
-  const Json cusp =
+  const Ordered cusp =
       toJson(joinOfCurves(line, bezier({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {3, 1, 0}})));
   EXPECT_TRUE(cusp.at("residuals")[2].is_null());
   EXPECT_TRUE(cusp.at("sides")[1].at("curvature").is_null());

@@ -2,44 +2,28 @@
 
 #include <limits>
 
+#include "support/curve_ends.h"
 #include "support/perturbation.h"
 
 namespace osculate::test {
 namespace {
 
-constexpr int kOrder = 8;
-constexpr int kDegrees[] = {1, 2, 3, 4, 5, 7, 8, 9, 12, 18, kMaxDegree};
-
-template <class Check>
-void forEnds(std::uint64_t seed, Check check) {
-  Random random(seed);
-  for (const int degree : kDegrees) {
-    for (const bool rational : {false, true}) {
-      for (const CurveEnd end : {CurveEnd::kStart, CurveEnd::kEnd}) {
-        SCOPED_TRACE("degree " + std::to_string(degree) + (rational ? " rational" : " polynomial") +
-                     (end == CurveEnd::kStart ? " at its start" : " at its end"));
-        check(random, randomBezier(random, degree, rational), end);
-      }
-    }
-  }
-}
-
 TEST(EndJet, CoefficientsAreTheExactOnesWithinTheirStatedErrors) {
-  forEnds(110, [](Random&, const BezierCurve& curve, CurveEnd end) {
-    const auto jet = endJet<kOrder>(curve.view(), end, 0.0);
-    const PointSeries expected = outwardTaylor(exact<Real>(curve), end, kOrder);
+  forEnds(110, kEndDegrees, [](Random&, const BezierCurve& curve, CurveEnd end) {
+    const auto jet = endJet<8>(curve.view(), end, 0.0);
+    const PointSeries expected = outwardTaylor(exact<Real>(curve), end, 8);
     EXPECT_EQ(jet.point, toDouble(expected[0]));
     EXPECT_EQ(jet.c[0], Vector3::Zero());
-    for (std::size_t k = 1; k <= kOrder; ++k) {
+    for (std::size_t k = 1; k <= 8; ++k) {
       EXPECT_LE(distance(expected[k], jet.c[k]), jet.error[k]) << "order " << k;
     }
   });
 }
 
 TEST(EndJet, FourOrdersAreTheFirstOfEight) {
-  forEnds(111, [](Random&, const BezierCurve& curve, CurveEnd end) {
+  forEnds(111, kEndDegrees, [](Random&, const BezierCurve& curve, CurveEnd end) {
     const auto shorter = endJet<4>(curve.view(), end, 0.0);
-    const auto longer = endJet<kOrder>(curve.view(), end, 0.0);
+    const auto longer = endJet<8>(curve.view(), end, 0.0);
     for (std::size_t k = 1; k <= 4; ++k) {
       EXPECT_LE((shorter.c[k] - longer.c[k]).norm(), shorter.error[k]) << "order " << k;
     }
@@ -64,8 +48,8 @@ void collect(const BezierCurve& curve, CurveEnd end, double poleError, Random& r
 
 TEST(EndJet, StatedErrorsBoundWhatHalfAUnitInTheLastPlaceOfPolesAndWeightsDoes) {
   BoundStatistics statistics;
-  forEnds(112, [&](Random& random, const BezierCurve& curve, CurveEnd end) {
-    collect<kOrder>(curve, end, 0.0, random, statistics);
+  forEnds(112, kEndDegrees, [&](Random& random, const BezierCurve& curve, CurveEnd end) {
+    collect<8>(curve, end, 0.0, random, statistics);
   });
   EXPECT_GE(statistics.smallest(), 1.0);
   EXPECT_LE(statistics.median(), 1e4) << "a bound this loose says nothing";
@@ -73,8 +57,8 @@ TEST(EndJet, StatedErrorsBoundWhatHalfAUnitInTheLastPlaceOfPolesAndWeightsDoes) 
 
 TEST(EndJet, StatedErrorsBoundWhatTheErrorOfThePolesDoes) {
   BoundStatistics statistics;
-  forEnds(113, [&](Random& random, const BezierCurve& curve, CurveEnd end) {
-    collect<kOrder>(curve, end, 1e-6, random, statistics);
+  forEnds(113, kEndDegrees, [&](Random& random, const BezierCurve& curve, CurveEnd end) {
+    collect<8>(curve, end, 1e-6, random, statistics);
   });
   EXPECT_GE(statistics.smallest(), 1.0);
   EXPECT_LE(statistics.median(), 1e4);
@@ -110,8 +94,8 @@ TEST(EndJet, ReadsOnlyThePolesNextToTheEnd) {
 TEST(EndJet, OfAPolynomialVanishesExactlyAboveItsDegree) {
   Random random(115);
   const BezierCurve curve = randomBezier(random, 3, false);
-  const auto jet = endJet<kOrder>(curve.view(), CurveEnd::kEnd, 0.0);
-  for (std::size_t k = 4; k <= kOrder; ++k) {
+  const auto jet = endJet<8>(curve.view(), CurveEnd::kEnd, 0.0);
+  for (std::size_t k = 4; k <= 8; ++k) {
     EXPECT_EQ(jet.c[k], Vector3::Zero());
     EXPECT_EQ(jet.error[k], 0.0);
   }

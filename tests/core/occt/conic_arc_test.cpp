@@ -17,8 +17,6 @@
 namespace osculate::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 gp_Ax2 randomPosition(Random& random, double size) {
   const Vector3 origin = random.vector(size);
   const Vector3 axis = random.direction();

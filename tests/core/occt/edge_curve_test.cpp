@@ -20,9 +20,6 @@
 namespace osculate::test {
 namespace {
 
-const KnotVector kClamped{{0.0, 1.0, 2.5, 4.0}, {4, 1, 2, 4}};
-const KnotVector kPeriodic{{0.0, 0.3, 0.5, 1.0}, {2, 1, 1, 2}};
-
 gp_Trsf randomPlacement(Random& random, double size) {
   const Vector3 axis = random.direction();
   const Vector3 move = random.vector(size);

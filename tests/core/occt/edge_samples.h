@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -18,6 +19,12 @@
 #include "support/random_curves.h"
 
 namespace osculate::test {
+
+inline constexpr double kPi = std::numbers::pi;
+
+/// Knots of cubic curves: clamped, and of a turn.
+inline const KnotVector kClamped{{0.0, 1.0, 2.5, 4.0}, {4, 1, 2, 4}};
+inline const KnotVector kPeriodic{{0.0, 0.3, 0.5, 1.0}, {2, 1, 1, 2}};
 
 inline Vector3 toVector(const gp_XYZ& xyz) { return {xyz.X(), xyz.Y(), xyz.Z()}; }
 

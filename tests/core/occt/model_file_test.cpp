@@ -11,10 +11,6 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
-#endif
-
 #include "occt/audit_shapes.h"
 #include "osculate/occt/occt_error.h"
 #include "support/errors.h"
@@ -43,9 +39,7 @@ class ModelFile : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   static Model read(const std::string& file) {
-#ifdef __SANITIZE_ADDRESS__
-    const __lsan::ScopedDisabler readersLeak;  // their tables of parameters, once in a process
-#endif
+    const IgnoredLeaks readers;  // their tables of parameters, once in a process
     return readModel(file);
   }
 

@@ -9,11 +9,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
-#endif
-
 #include "occt/edge_samples.h"
+#include "support/leaks.h"
 
 namespace osculate::test {
 namespace {
@@ -29,9 +26,7 @@ TopoDS_Shape transferred(const fs::path& file) {
 }
 
 TopoDS_Shape readModel(const fs::path& file) {
-#ifdef __SANITIZE_ADDRESS__
-  const __lsan::ScopedDisabler readersLeak;  // their tables of parameters, once in a process
-#endif
+  const IgnoredLeaks readers;  // their tables of parameters, once in a process
   if (file.extension() == ".stp") return transferred<STEPControl_Reader>(file);
   if (file.extension() == ".igs") return transferred<IGESControl_Reader>(file);
   TopoDS_Shape shape;

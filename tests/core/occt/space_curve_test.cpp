@@ -16,10 +16,7 @@
 namespace osculate::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-const KnotVector kClamped{{0.0, 1.0, 2.5, 4.0}, {4, 1, 2, 4}};
 const KnotVector kUnclamped{{-2.0, -1.0, 0.0, 1.0, 2.5, 4.0, 5.0, 7.0}, {1, 1, 2, 1, 2, 1, 1, 2}};
-const KnotVector kPeriodic{{0.0, 0.3, 0.5, 1.0}, {2, 1, 1, 2}};
 
 void expectSameBits(const BSplineCurve& curve, const Geom_BSplineCurve& spline) {
   const BSplineData expected = dataOf(spline);

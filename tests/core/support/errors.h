@@ -1,12 +1,15 @@
-// Checks of the message of an error.
+// Bad input, and checks of the message of an error.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace osculate::test {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether the statement throws std::invalid_argument with this text in its message.
 template <class Statement>

@@ -1,13 +1,22 @@
-// For tests that call what of OpenCASCADE keeps memory to the end of the program: its STEP writer.
+// For tests that call what of OpenCASCADE keeps memory to the end of the program: its readers and
+// its STEP writer.
 #pragma once
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__)  // GCC's way to say it
+#define OSCULATE_FINDS_LEAKS
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)  // Clang's
+#define OSCULATE_FINDS_LEAKS
+#endif
+#endif
+
+#ifdef OSCULATE_FINDS_LEAKS
 #include <sanitizer/lsan_interface.h>
 #endif
 
 namespace osculate::test {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef OSCULATE_FINDS_LEAKS
 using IgnoredLeaks = __lsan::ScopedDisabler;
 #else
 struct IgnoredLeaks {

@@ -109,4 +109,10 @@ inline std::vector<PeriodicReference> periodicReferences() {
   return references;
 }
 
+/// Rounding of a point of a curve.
+inline double tolerance(const BSplineCurve& curve) {
+  return 64.0 * (curve.degree() + 1) * kUnitRoundoff *
+         curve.data().poles.colwise().norm().maxCoeff();
+}
+
 }  // namespace osculate::test
