@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -13,10 +14,14 @@ namespace osculate::cli {
 
 namespace {
 
-/// Of a path that is given twice only the first: reports know files by their paths.
+/// Of a file that is given twice only the first, however it is written.
 std::vector<std::string> distinct(std::vector<std::string> files) {
   std::unordered_set<std::string> known;
-  std::erase_if(files, [&](const std::string& file) { return !known.insert(file).second; });
+  std::erase_if(files, [&](const std::string& file) {
+    std::error_code ignored;  // of one that is not there: it says so when it is read
+    const auto path = std::filesystem::weakly_canonical(file, ignored);
+    return !known.insert(path.empty() ? file : path.string()).second;
+  });
   return files;
 }
 
@@ -46,7 +51,11 @@ int audit(const AuditChoice& choice) {
   FileAuditOptions options{.audit = {}, .jobs = choice.jobs, .timeLimit = choice.timeLimit};
   options.audit.analysis = choice.analysis.options();
   options.audit.pairs = joinPairs(choice.pairs);
-  options.audit.cornerDegrees = choice.cornerDegrees;
+  if (choice.cornerDegrees) {
+    if (options.audit.pairs != JoinPairs::kTangent)
+      throw std::invalid_argument("--corner-deg: has no effect without --pairs tangent");
+    options.audit.cornerDegrees = *choice.cornerDegrees;
+  }
   options.audit.touchMm = choice.touchMm;
   checkAuditOptions(options.audit);
   const ResultChoice results{.csv = choice.csv,

@@ -65,6 +65,24 @@ constexpr const char* kMergeExamples = R"(Examples:
   osculate merge part-*.json --fail-below G2 --quiet
       the verdict alone)";
 
+/// CLI11's own say it with the largest number there is, 309 digits.
+const CLI::Validator kPositive(
+    [](std::string& text) {
+      double value = 0.0;
+      return CLI::detail::lexical_cast(text, value) && value > 0.0
+                 ? std::string()
+                 : "must be greater than 0, got " + text;
+    },
+    "POSITIVE");
+const CLI::Validator kNotNegative(
+    [](std::string& text) {
+      double value = 0.0;
+      return CLI::detail::lexical_cast(text, value) && value >= 0.0
+                 ? std::string()
+                 : "must not be below 0, got " + text;
+    },
+    "NONNEGATIVE");
+
 void addAnalysis(CLI::App& app, AnalysisChoice& choice) {
   app.add_option("--order", choice.order, "The highest order of contact analysed, 0 to 8")
       ->check(CLI::Range(0, kMaxOrder))
@@ -76,7 +94,7 @@ void addAnalysis(CLI::App& app, AnalysisChoice& choice) {
       ->check(CLI::IsMember(presets))
       ->capture_default_str();
   const auto own = [&](const char* name, std::optional<double>& value, const char* what) {
-    app.add_option(name, value, what)->check(CLI::PositiveNumber)->group("Own tolerances");
+    app.add_option(name, value, what)->check(kPositive)->group("Own tolerances");
   };
   own("--gap-mm", choice.gapMm, "Largest gap that still is G0, mm");
   own("--angle-deg", choice.angleDegrees, "Largest angle that still is G1, degrees");
@@ -86,7 +104,7 @@ void addAnalysis(CLI::App& app, AnalysisChoice& choice) {
 }
 
 void addTimeLimit(CLI::App& app, double& seconds, const char* what) {
-  app.add_option("--time-limit", seconds, what)->check(CLI::PositiveNumber)->type_name("SECONDS");
+  app.add_option("--time-limit", seconds, what)->check(kPositive)->type_name("SECONDS");
 }
 
 void addFailBelow(CLI::App& app, std::string& order) {
@@ -109,7 +127,7 @@ void addResults(CLI::App& app, Choice& choice) {
       ->type_name("OUT");
   app.add_option("--worst", choice.worst,
                  "How many of the worst joins are printed for a file: 10, or 3 of each of several")
-      ->check(CLI::NonNegativeNumber)
+      ->check(kNotNegative)
       ->type_name("N");
   addFailBelow(app, choice.failBelow);
   app.add_flag("--strict", choice.strict,
@@ -156,17 +174,17 @@ void addAudit(CLI::App& parser, CommandLine& line) {
       ->check(CLI::IsMember({"all", "wire", "tangent"}))
       ->capture_default_str();
   app->add_option("--corner-deg", choice.cornerDegrees,
-                  "For tangent: what turns by more is a corner; a gap counts at any angle")
-      ->check(CLI::Range(0.0, 180.0))
-      ->capture_default_str();
+                  "For tangent: what turns by more, 15 if not given, is a corner; a gap counts at "
+                  "any angle")
+      ->check(CLI::Range(0.0, 180.0));
   app->add_option("--touch-mm", choice.touchMm,
                   "How far ends of edges in no wire (wireframe) may be apart to be a join; 0: such "
                   "edges too join at shared vertices only")
-      ->check(CLI::NonNegativeNumber)
+      ->check(kNotNegative)
       ->capture_default_str();
   addResults(*app, choice);
   app->add_option("--jobs", choice.jobs, "Files at once; else as many as there are processors")
-      ->check(CLI::PositiveNumber)
+      ->check(kPositive)
       ->type_name("N");
   addTimeLimit(*app, choice.timeLimit, "Give up a file after so long");
 }

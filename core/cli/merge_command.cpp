@@ -84,10 +84,12 @@ int merge(const MergeChoice& choice) {
   for (const std::string& path : choice.reports)
     merger.add(path, read(path));
   const AuditDocument document = merger.take();
+  const auto least = orderBelow(choice.failBelow, document.options.analysis.order,
+                                "make the reports with osculate audit --order ");
   return deliver(document, {.csv = choice.csv,
                             .json = choice.json,
                             .worst = choice.worst,
-                            .least = orderBelow(choice.failBelow, document.options.analysis.order),
+                            .least = least,
                             .strict = choice.strict,
                             .quiet = choice.quiet});
 }

@@ -23,7 +23,7 @@ AnalysisOptions AnalysisChoice::options() const {
   return result;
 }
 
-std::optional<int> orderBelow(const std::string& text, int order) {
+std::optional<int> orderBelow(const std::string& text, int order, const std::string& remedy) {
   if (text.empty()) return std::nullopt;
   const bool hasLetter = std::toupper(static_cast<unsigned char>(text[0])) == 'G';
   const std::string digit = hasLetter ? text.substr(1) : text;
@@ -32,8 +32,7 @@ std::optional<int> orderBelow(const std::string& text, int order) {
   const int wanted = digit[0] - '0';
   if (wanted > order) {
     throw std::invalid_argument("--fail-below: G" + digit +
-                                " is above the highest order analysed; " + "ask for --order " +
-                                digit);
+                                " is above the highest order analysed; " + remedy + digit);
   }
   return wanted;
 }

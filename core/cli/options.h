@@ -24,8 +24,9 @@ struct AnalysisChoice {
 };
 
 /// "G2", "g2" or "2", from G0 to the order asked for; nothing for an empty text. Throws
-/// std::invalid_argument.
-std::optional<int> orderBelow(const std::string& text, int order);
+/// std::invalid_argument, which ends in what would be right (followed by the order's number).
+std::optional<int> orderBelow(const std::string& text, int order,
+                              const std::string& remedy = "ask for --order ");
 
 struct AnalyzeChoice {
   std::string file;
@@ -42,7 +43,7 @@ struct AuditChoice {
   std::string filesFrom;  ///< a file with a path a line; "-": standard input
   AnalysisChoice analysis;
   std::string pairs = "all";
-  double cornerDegrees = 15.0;
+  std::optional<double> cornerDegrees;  ///< for the pairs "tangent" alone
   double touchMm = 0.01;
   std::string csv;  ///< a path, or "-" for standard output
   std::string json;

@@ -40,7 +40,7 @@ std::string_view sign(Verdict verdict) {
 }
 
 std::string optional(const std::optional<double>& value) {
-  return value ? format("%13.6g", *value) : format("%13s", "-");
+  return value ? format("%13.6g", *value + 0.0) : format("%13s", "-");  // no "-0"
 }
 
 std::string orderRows(const JoinReport& report) {

@@ -91,7 +91,8 @@ class ResultsTest(ProgramTest):
 
     def test_a_path_given_twice_is_audited_once(self):
         names = [self.copy("wire.step"), self.copy("wire.brep")]
-        report = self.report(*names, *names, "--files-from", self.write("list", "wire.step\n"))
+        report = self.report(*names, *names, "./wire.brep", "--files-from",
+                             self.write("list", "wire.step\n"))
         self.assertEqual([entry["file"] for entry in report["files"]], names)
         self.assertEqual(report["summary"]["joins"], 6)
 
@@ -188,8 +189,10 @@ class StatusTest(ProgramTest):
                 ((wire, "--tolerances", "mine"), "--tolerances"),
                 ((wire, "--gap-mm", "-1"), "--gap-mm"), ((wire, "--pairs", "some"), "--pairs"),
                 ((wire, "--corner-deg", "200"), "--corner-deg"),
-                ((wire, "--touch-mm", "-1"), "--touch-mm"),
-                ((wire, "--jobs", "0"), "--jobs"), ((wire, "--worst", "-1"), "--worst"),
+                ((wire, "--corner-deg", "20"), "no effect without --pairs tangent"),
+                ((wire, "--touch-mm", "-1"), "--touch-mm: must not be below 0, got -1"),
+                ((wire, "--jobs", "0"), "--jobs: must be greater than 0, got 0"),
+                ((wire, "--worst", "-1"), "--worst"),
                 ((wire, "--time-limit", "0"), "--time-limit"), ((wire, "--unknown"), "--unknown"),
                 ((wire, "--csv", "-", "--json", "-"), "only one can go to standard output"),
                 (("--files-from", "/no/such/list"), "cannot read /no/such/list")):

@@ -178,6 +178,8 @@ class MergeTest(ProgramTest):
         self.assert_status(self.run_here("merge", *parts, "--fail-below", "G2"), 1,
                            "6 of 10 joins are below G2")
         self.assert_fine(self.run_here("merge", "1.json", "--fail-below", "G2", "--quiet"))
+        self.assert_status(self.run_here("merge", *parts, "--fail-below", "G5"), 2,
+                           "make the reports with osculate audit --order 5")
         self.audit("none.step", "--json", "bad.json")
         self.assert_status(self.run_here("merge", *parts, "bad.json", "--fail-below", "G2"), 2,
                            "none.step: unreadable", "6 of 10")
