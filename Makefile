@@ -36,9 +36,10 @@ format:         ## rewrites the C++ sources in the project's format
 	.ci/setup format
 	git ls-files '*.h' '*.cpp' | xargs clang-format -i
 
-lint: build     ## format, clang-tidy, flake8, every public header on its own
-	.ci/setup lint
-	.ci/lint build/release
+lint:           ## format, clang-tidy, flake8, every public header on its own
+	.ci/setup build test freecad lint
+	cmake --preset default
+	.ci/lint build/default
 
 asan:           ## the core's tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	.ci/setup build test asan

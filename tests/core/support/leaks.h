@@ -2,21 +2,15 @@
 // its STEP writer.
 #pragma once
 
-#if defined(__SANITIZE_ADDRESS__)  // GCC's way to say it
-#define OSCULATE_FINDS_LEAKS
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)  // Clang's
-#define OSCULATE_FINDS_LEAKS
-#endif
-#endif
+#include "support/sanitized.h"
 
-#ifdef OSCULATE_FINDS_LEAKS
+#ifdef OSCULATE_SANITIZED
 #include <sanitizer/lsan_interface.h>
 #endif
 
 namespace osculate::test {
 
-#ifdef OSCULATE_FINDS_LEAKS
+#ifdef OSCULATE_SANITIZED
 using IgnoredLeaks = __lsan::ScopedDisabler;
 #else
 struct IgnoredLeaks {
