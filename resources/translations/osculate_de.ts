@@ -3366,11 +3366,11 @@ Kanten, Skizzen oder ganze Objekte auswählen.</translation>
         <translation>Geometrische Stetigkeit G0 bis G4 von Kurven, Bézier-Körper</translation>
     </message>
     <message>
-        <source>Bézier solids</source>
+        <source>Bezier solids</source>
         <translation>Bézier-Körper</translation>
     </message>
     <message>
-        <source>&amp;Bézier solids</source>
+        <source>&amp;Bezier solids</source>
         <translation>&amp;Bézier-Körper</translation>
     </message>
 </context>

@@ -21,6 +21,17 @@ class GermanTest(GuiCase):
         super().tearDown()
         FreeCADGui.setLocale("English")
 
+    def test_menus(self):
+        FreeCADGui.activateWorkbench("OsculateWorkbench")
+        self.pump()
+        for language, name in (("German", "Bézier-Körper"), ("English", "Bezier solids")):
+            FreeCADGui.setLocale(language)
+            self.pump()
+            menus = [action.text().replace("&", "")
+                     for action in FreeCADGui.getMainWindow().menuBar().actions()]
+            self.assertIn(name, menus)
+            self.assertIn("Osculate", menus)
+
     def test_panel_and_command(self):
         line, arc = samples.line_and_arc(self.doc)
         form = self.analyze((line, "Edge1"), (arc, "Edge1"))

@@ -20,9 +20,10 @@ class OsculateWorkbench(FreeCADGui.Workbench):
         from osculate.gui import commands  # the panel's modules are loaded when they are used
         curves, solids = commands.register()
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Osculate"), curves)
-        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Bézier solids"), solids)
+        # In ASCII: when the language changes FreeCAD 0.20 reads these names as Latin-1.
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Bezier solids"), solids)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Osculate"), curves)
-        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Bézier solids"), solids)
+        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "&Bezier solids"), solids)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
