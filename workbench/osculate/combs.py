@@ -68,19 +68,24 @@ def comb(curves, *, density=24, tolerance=0.005, quantities=COMB_QUANTITIES):
 
     Raises TypeError for what is no curve, ValueError that names the argument and the rule.
     """
-    names = _names(quantities)
+    names = names_of(quantities)
     values = _core.comb_arrays(_curves_from(curves), density, tolerance, names)
     return Comb(*values[:-1], tuple(CombMark(*mark) for mark in values[-1]))
 
 
-def _names(quantities):
-    if isinstance(quantities, str):
-        return [quantities]
-    names = list(quantities)
+def names_of(quantities):
+    """Names of COMB_QUANTITIES as a tuple, each once. Raises ValueError for others, and for none;
+    TypeError for what is no name.
+    """
+    names = (quantities,) if isinstance(quantities, str) else tuple(quantities)
     for name in names:
         if not isinstance(name, str):
             raise TypeError(f"quantities: must be names, got {type(name).__name__}")
-    return names
+        if name not in COMB_QUANTITIES:
+            raise ValueError(f"quantities: {name!r} is none of {', '.join(COMB_QUANTITIES)}")
+    if not names:
+        raise ValueError("quantities: at least one is needed")
+    return tuple(dict.fromkeys(names))
 
 
 def _curves_from(curves):

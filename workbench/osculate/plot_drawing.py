@@ -19,8 +19,7 @@ except Exception as error:  # a broken installation raises RuntimeError, among o
 
 from osculate import number_text, palette
 from osculate.comb_drawing import DIMENSIONS, is_rounding, size_of, usual_largest
-from osculate.combs import SYMBOLS, UNITS
-from osculate.plots import names_of
+from osculate.combs import SYMBOLS, UNITS, names_of
 
 #: Values more than so many times as large as what this share of the length stays below are cut off,
 #: and how far beyond that the axis reaches.

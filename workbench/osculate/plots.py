@@ -5,7 +5,7 @@ from typing import NamedTuple, Optional
 import numpy
 
 from osculate import _core, analysis, shapes
-from osculate.combs import COMB_QUANTITIES
+from osculate.combs import names_of
 from osculate.travels import CurveTravel
 
 #: What a plot shows if nothing else is asked for.
@@ -104,18 +104,6 @@ def _curves_from(curves):
     if shapes.is_shape(curves):
         curves = [edge for edge in curves.Edges if not edge.Degenerated]
     return shapes.curves_from(curves, "curves")
-
-
-def names_of(quantities):
-    """Names of COMB_QUANTITIES as a tuple, each once. Raises ValueError for others, and for none.
-    """
-    names = (quantities,) if isinstance(quantities, str) else tuple(quantities)
-    for name in names:
-        if name not in COMB_QUANTITIES:
-            raise ValueError(f"quantities: {name!r} is none of {', '.join(COMB_QUANTITIES)}")
-    if not names:
-        raise ValueError("quantities: at least one is needed")
-    return tuple(dict.fromkeys(names))
 
 
 def _tolerances(value):

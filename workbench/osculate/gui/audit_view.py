@@ -54,25 +54,15 @@ class AuditView(OneModeView):
         if prop == "Visibility":
             self._draw()
 
-    def _obj(self):
-        """The document object; None before it is complete, and while it is deleted."""
-        obj = getattr(self, "_object", None)
-        try:
-            is_complete = (isinstance(obj.Proxy, Audit) and hasattr(obj, "SchemaVersion")
-                           and obj.Document.getObject(obj.Name) is not None)
-        except (AttributeError, ReferenceError, RuntimeError):
-            return None
-        return obj if is_complete else None
-
     def _undone(self):
         """The model may be as it was when another result was found, or the object be back."""
-        obj = self._obj()
+        obj = self.complete_object(Audit)
         if obj is not None:
             obj.Proxy.look_again()
             self._draw()
 
     def _draw(self):
-        obj = self._obj()
+        obj = self.complete_object(Audit)
         if obj is None or not hasattr(self, "_legend"):
             return
         audited = obj.Proxy.audited(obj) if obj.ViewObject.Visibility else None

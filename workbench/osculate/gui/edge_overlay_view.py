@@ -56,19 +56,9 @@ class EdgeOverlayView(OneModeView):
         if name == self._document:
             self._observer.stop()
 
-    def _obj(self):
-        """The document object; None before it is complete, and while it is deleted."""
-        obj = getattr(self, "_object", None)
-        try:
-            is_complete = (isinstance(obj.Proxy, EdgeOverlay) and hasattr(obj, "SchemaVersion")
-                           and obj.Document.getObject(obj.Name) is not None)
-        except (AttributeError, ReferenceError, RuntimeError):
-            return None
-        return obj if is_complete else None
-
     def _follow(self):
         """The model changed."""
-        obj = self._obj()
+        obj = self.complete_object(EdgeOverlay)
         if obj is not None and obj.ViewObject.Visibility and (
                 obj.Proxy.follow(obj) or self._was_deleted()):
             self._draw()
@@ -78,7 +68,7 @@ class EdgeOverlayView(OneModeView):
         return self._object.Legend and not self._legend.is_shown
 
     def _draw(self):
-        obj = self._obj()
+        obj = self.complete_object(EdgeOverlay)
         if obj is None or not hasattr(self, "_legend"):
             return
         if not obj.ViewObject.Visibility:

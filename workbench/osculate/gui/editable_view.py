@@ -19,6 +19,18 @@ class EditableView:
     def attach(self, vobj):
         self._object = vobj.Object
 
+    def complete_object(self, proxy_type):
+        """The document object with a proxy of this type; None before it is complete, and while it
+        is deleted.
+        """
+        obj = getattr(self, "_object", None)
+        try:
+            is_complete = (isinstance(obj.Proxy, proxy_type) and hasattr(obj, "SchemaVersion")
+                           and obj.Document.getObject(obj.Name) is not None)
+        except (AttributeError, ReferenceError, RuntimeError):
+            return None
+        return obj if is_complete else None
+
     def make_panel(self, obj):
         """The task panel that edits the object. When it ends, its `finish` is called."""
         raise NotImplementedError

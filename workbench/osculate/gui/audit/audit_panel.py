@@ -9,7 +9,6 @@ from osculate.features.audit import make_object
 from osculate.features.audited_model import whole_shape
 from osculate.features.constructed import refuse_loop
 from osculate.features.edge_link import EdgeLink, LinkError
-from osculate.features.edge_overlay import links_of
 from osculate.features.long_work import Stopped
 from osculate.gui import preferences, zoom
 from osculate.gui.audit.audit_form import AuditForm, sources_text
@@ -18,6 +17,7 @@ from osculate.gui.audit.page_picture import save_view, waiting
 from osculate.gui.observers import SelectionObserver
 from osculate.gui.overlays.join_overlay import join_overlay
 from osculate.gui.overlays.scene import SceneOverlay
+from osculate.gui.panel.takes_selection import TakesSelection
 from osculate.gui.qt import QtWidgets, translate
 from osculate.gui.selection import plain_path
 from osculate.gui.solid_panel.session_panel import SessionPanel
@@ -25,7 +25,7 @@ from osculate.gui.solid_panel.session_panel import SessionPanel
 _FILTERS = {"csv": "CSV (*.csv)", "json": "JSON (*.json)", "html": "HTML (*.html)"}
 
 
-class AuditPanel(SessionPanel):
+class AuditPanel(TakesSelection, SessionPanel):
     """Makes or edits an Audit; every change is seen at once."""
 
     def __init__(self, document, obj=None):
@@ -35,7 +35,7 @@ class AuditPanel(SessionPanel):
         super().__init__(document, form, form.windowTitle(), obj)
         self._joined = None  # (Audited, index): the row that the overlay shows
         form.edited.connect(lambda settings: self.session.do(**settings))
-        form.selection_wanted.connect(self._take)
+        form.selection_wanted.connect(self.take)
         form.row_chosen.connect(self._row_chosen)
         form.row_wanted.connect(lambda index: self.go_to(index, zooms=True))
         form.match_wanted.connect(self.match)
@@ -50,43 +50,17 @@ class AuditPanel(SessionPanel):
         return translate("Osculate", "Select objects, and press Take selection: their joins are "
                                      "audited.")
 
-    def take_selection(self):
-        """Makes the audit of what is selected, if there is none yet."""
-        if self.session.obj is None and FreeCADGui.Selection.getSelectionEx("*", 0):
-            self._take(adds=False)
-
-    def _take(self, adds):
-        """Gives the audit what is selected: instead of its objects, or as well."""
-        try:
-            sources = self._selected()
-        except LinkError as error:
-            self.form.advice.say(str(error), "warning")
-            return
-        if not sources:
-            self.form.advice.say(self.what_to_select())
-        elif self.session.obj is None:
-            self._make(sources)
-        else:
-            kept = self._sources() if adds else []
-            self.session.do(Sources=kept + [source for source in sources if source not in kept])
-            FreeCADGui.Selection.clearSelection()
-            self.show()
-
-    def _make(self, sources):
+    def create_from(self, sources):
         options = self.preferences
         try:
             self.session.create(_make_complete, Sources=sources, OrderAsked=options.order,
                                 Preset=options.preset, Required=min(1, options.order))
         except Stopped:
             self.reject()  # the document is as it was
-            return
-        FreeCADGui.Selection.clearSelection()
-        self.show()
+            return False
+        return True
 
-    def _sources(self):
-        return [(link.resolve_object(), link.sub) for link in links_of(self.session.obj)]
-
-    def _selected(self):
+    def selected(self):
         """(object, path) pairs of what is selected, whole. Raises LinkError for what has no edges,
         is in another document, or depends on the audit.
         """
