@@ -5,7 +5,7 @@
 help:           ## this list
 	@sed -n 's|^\([a-z]*\):[a-z ]*## |  make \1\t|p' $(MAKEFILE_LIST)
 
-build:          ## the core, the Python module in workbench/osculate, the tests
+build:          ## the core, the program, the Python module in workbench/osculate
 	.ci/setup build test freecad
 	cmake --preset release
 	cmake --build --preset release
@@ -15,7 +15,7 @@ module:         ## the Python module alone
 	cmake --preset release
 	cmake --build --preset release --target _core
 
-test: build asan        ## everything: core, Python, FreeCAD, GUI, sanitizers, consumer, demo
+test: build asan        ## everything: core under the sanitizers, Python, program, FreeCAD, GUI, consumer, demo
 	.ci/setup gui
 	ctest --preset release -j$(shell nproc)
 
