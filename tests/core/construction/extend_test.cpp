@@ -17,8 +17,8 @@
 namespace osculate {
 namespace {
 
-using test::NamedCurve;
 using test::distance;
+using test::NamedCurve;
 
 double lengthOf(const Extension& extension) { return length(BSplineCurve(extension.curve)); }
 
