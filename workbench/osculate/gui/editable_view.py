@@ -27,7 +27,7 @@ class EditableView:
         try:
             is_complete = (isinstance(obj.Proxy, proxy_type) and hasattr(obj, "SchemaVersion")
                            and obj.Document.getObject(obj.Name) is not None)
-        except (AttributeError, ReferenceError, RuntimeError, TypeError):  # 1.0: it has no name left
+        except (AttributeError, ReferenceError, RuntimeError, TypeError):  # no name is left
             return None
         return obj if is_complete else None
 
