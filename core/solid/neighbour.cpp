@@ -8,6 +8,7 @@
 
 #include "osculate/bezier/index.h"
 #include "osculate/construction/contact_error.h"
+#include "osculate/solid/every_row.h"
 
 namespace osculate {
 
@@ -54,11 +55,11 @@ class NetEnergy {
   void minimize(Eigen::MatrixXd& values, const std::vector<int>& unknown,
                 const std::vector<int>& known) const {
     if (unknown.empty()) return;
-    const Eigen::MatrixXd knownValues = values(Eigen::all, known);
+    const Eigen::MatrixXd knownValues = values(everyRow(values), known);
     const Eigen::MatrixXd across = matrix_(unknown, known);
     const Eigen::MatrixXd right = -across * knownValues.transpose();
     const Eigen::MatrixXd solved = matrix_(unknown, unknown).ldlt().solve(right);
-    values(Eigen::all, unknown) = solved.transpose();
+    values(everyRow(values), unknown) = solved.transpose();
   }
 
  private:
@@ -181,7 +182,8 @@ BezierTetrahedron neighbour(const BezierTetrahedron& solid, int face, const Bary
     split(forced, dimension, layers.forced, points, weights);
     membrane(degree).minimize(weights, layers.free, layers.forced);
   } else {
-    points(Eigen::all, layers.forced) = forced.topRows(dimension)(Eigen::all, layers.forced);
+    const Eigen::MatrixXd all = forced.topRows(dimension);
+    points(everyRow(points), layers.forced) = all(everyRow(all), layers.forced);
   }
   fillPoints(solid, face, apex, order, options, layers, points);
   if (!solid.isRational()) return BezierTetrahedron(degree, points);

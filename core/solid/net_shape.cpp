@@ -5,6 +5,8 @@
 
 #include <Eigen/SVD>
 
+#include "osculate/solid/every_row.h"
+
 namespace osculate {
 
 namespace {
@@ -20,7 +22,8 @@ Eigen::MatrixXd pointsBetween(const BezierTetrahedron& solid, const std::vector<
     if (sum == solid.degree() && solid.weight(position) > 0.0) used.push_back(position);
     ++position;
   }
-  return solid.points()(Eigen::all, used);
+  const Eigen::MatrixXd& points = solid.points();
+  return points(everyRow(points), used);
 }
 
 /// The singular values of the points about the first one: their extents along principal axes.
