@@ -7,7 +7,6 @@ import os
 import sys
 
 import FreeCAD
-import FreeCADGui
 import Part
 
 from osculate.features import make_control_polygons, make_probe
@@ -15,7 +14,7 @@ from osculate.features import make_control_polygons, make_probe
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, FOLDER)
 from pictures import (  # noqa: E402  FreeCAD does not look beside a script
-    DARK, LIGHT, V, arc, grab, ink, look, pump, run, save_view, set_background)
+    DARK, LIGHT, V, arc, grab_edited, ink, look, run, save_view, set_background)
 
 
 def main():
@@ -37,12 +36,7 @@ def draw_polygons():
     ink(document)
     polygons = make_control_polygons(document, document.Objects, weights=True,
                                      second_differences=True, difference_scale="derivatives")
-    polygons.ViewObject.doubleClicked()
-    pump()
-    look(document, "viewTop", 1.0)
-    grab("polygons")
-    FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(document.Name)
+    grab_edited(polygons, "viewTop", 1.0, "polygons")
 
 
 def draw_probe():
@@ -56,12 +50,7 @@ def draw_probe():
     ink(document)
     probe = make_probe(document, document.Objects, position=0.3, parts=[
         "frame", "circle", "osculating plane", "normal plane", "read-out", "marks", "legend"])
-    probe.ViewObject.doubleClicked()
-    pump()
-    look(document, "viewIsometric", 1.0)
-    grab("probe")
-    FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(document.Name)
+    grab_edited(probe, "viewIsometric", 1.0, "probe")
 
 
 def draw_construction():

@@ -25,8 +25,8 @@ from osculate.gui.preferences_page import PreferencesPage
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, FOLDER)
 from pictures import (  # noqa: E402  FreeCAD does not look beside a script
-    DARK, INK, LIGHT, V, arc, find_form, grab, ink, look, pump, run, save_view, set_background,
-    widen_tree)
+    DARK, INK, LIGHT, V, arc, find_form, grab, grab_edited, ink, look, pump, run, save_view,
+    set_background, widen_tree)
 
 SAMPLE = os.path.join(resources.RESOURCES, "samples", "continuity_g0_to_g4.FCStd")
 
@@ -298,12 +298,7 @@ def draw_comb():
         document.addObject("Part::Feature", name).Shape = curve.toShape()
     document.recompute()
     comb = make_curvature_comb(document, document.Objects)
-    comb.ViewObject.doubleClicked()
-    pump()
-    look(document, "viewTop", 1.1)
-    grab("comb")
-    FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(document.Name)
+    grab_edited(comb, "viewTop", 1.1, "comb")
 
 
 def draw_torsion():

@@ -111,6 +111,17 @@ def grab(name, *docks):
     picture.save(os.path.join(FOLDER, f"{name}.png"))
 
 
+def grab_edited(obj, view_name, magnified, name):
+    """The window while an object is edited; closes its document then."""
+    document = obj.Document
+    obj.ViewObject.doubleClicked()
+    pump()
+    look(document, view_name, magnified)
+    grab(name)
+    FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(document.Name)
+
+
 def pump(seconds=0.5):
     """Lets FreeCAD paint."""
     end = time.monotonic() + seconds

@@ -1238,7 +1238,6 @@ name of an icon of resources/icons</extracomment>
     </message>
     <message>
         <source>Take the last step back</source>
-        <extracomment>what happens now is done here</extracomment>
         <translation>Den letzten Schritt zurücknehmen</translation>
     </message>
     <message>
@@ -1251,6 +1250,7 @@ name of an icon of resources/icons</extracomment>
     </message>
     <message>
         <source>The edges must be in one document, {}.</source>
+        <extracomment>what happens now is done here</extracomment>
         <translation>Die Kanten müssen in einem Dokument liegen, {}.</translation>
     </message>
     <message>

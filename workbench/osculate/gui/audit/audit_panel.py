@@ -88,12 +88,6 @@ class AuditPanel(TakesSelection, SessionPanel):
         if not self.works():
             super().model_changed()
 
-    def show(self):
-        has_object = self.session.obj is not None
-        self.form.advice.say("" if has_object else self.what_to_select())
-        self.form.show_parts(has_object)
-        super().show()
-
     def show_object(self, obj):
         self.form.show_object(obj)
         self._mark_current()
@@ -200,9 +194,6 @@ class AuditPanel(TakesSelection, SessionPanel):
             f"{self.session.obj.Label}.{kind}", _FILTERS[kind])[0]
 
     # The end
-
-    def accept(self):
-        return self.reject() if self.session.obj is None else super().accept()
 
     def stop(self, document_closes=False):
         if document_closes:

@@ -2,7 +2,6 @@
 
 import FreeCADGui
 
-from osculate.features.constructed import refuse_loop
 from osculate.features.edge_link import EdgeLink, LinkError
 from osculate.gui import preferences
 from osculate.gui.construct.edge_choice import EdgeChoice
@@ -126,11 +125,7 @@ class ConstructPanel(TransactionAnswers):
             raise LinkError(translate("Osculate", "These are {} edges.").format(len(links))
                             + " " + self.what_to_select())
         for link in links:
-            if link.document != self.session.document_name:
-                raise LinkError(translate("Osculate", "The edges must be in one document, {}.")
-                                .format(self.session.document.Label))
-            if self.session.obj is not None:
-                refuse_loop(self.session.obj, link)
+            self.session.require_linkable(link)
         return links
 
     def _use_edges(self):

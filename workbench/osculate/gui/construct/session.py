@@ -4,7 +4,9 @@ from contextlib import contextmanager
 
 import FreeCAD
 
-from osculate.gui.qt import QtCore, Signal
+from osculate.features.constructed import refuse_loop
+from osculate.features.edge_link import LinkError
+from osculate.gui.qt import QtCore, Signal, translate
 
 
 class Session(QtCore.QObject):
@@ -41,6 +43,14 @@ class Session(QtCore.QObject):
         """The document object; None before it is made and after its deletion."""
         document = self.document
         return document.getObject(self._name) if document and self._name else None
+
+    def require_linkable(self, link):
+        """Raises LinkError for an edge in another document, or one that depends on the object."""
+        if link.document != self.document_name:
+            raise LinkError(translate("Osculate", "The edges must be in one document, {}.")
+                            .format(self.document.Label))
+        if self.obj is not None:
+            refuse_loop(self.obj, link)
 
     @property
     def was_made(self):

@@ -48,6 +48,15 @@ def line_style(width, pattern=SOLID):
     return style
 
 
+def _stroke(line, color, style, transparency=0.0, has_rim=False):
+    """The nodes of a line in a colour, over a pale rim or not."""
+    parts = [*flat_color(rgb(color), transparency), style, *line]
+    if has_rim:
+        rim = line_style(style.lineWidth.getValue() + _HALO_WIDTH)
+        parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY), rim, *line))
+    return separator(*parts)
+
+
 class Polyline:
     """A line of `width` pixels through points; a solid one has a pale rim, which lifts it off the
     model. `node` goes into the scene.
@@ -57,11 +66,7 @@ class Polyline:
         self._coordinates = coin.SoCoordinate3()
         self._lines = coin.SoLineSet()
         line = self._coordinates, self._lines
-        parts = [*flat_color(rgb(color)), line_style(width, pattern), *line]
-        if pattern == SOLID:
-            parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY),
-                                      line_style(width + _HALO_WIDTH), *line))
-        self.node = separator(*parts)
+        self.node = _stroke(line, color, line_style(width, pattern), has_rim=pattern == SOLID)
         self.move(points)
 
     def move(self, points):
@@ -81,11 +86,7 @@ class Polylines:
         self._coordinates = coin.SoCoordinate3()
         self._lines = coin.SoLineSet()
         line = self._coordinates, self._lines
-        parts = [*flat_color(rgb(color), transparency), line_style(width), *line]
-        if has_rim:
-            parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY),
-                                      line_style(width + _HALO_WIDTH), *line))
-        self.node = separator(*parts)
+        self.node = _stroke(line, color, line_style(width), transparency, has_rim)
         self.show(numpy.empty((0, 3)), ())
 
     def show(self, points, counts):
@@ -104,11 +105,7 @@ class IndexedLines:
     def __init__(self, color, width, transparency=0.0, has_rim=False):
         self._lines = coin.SoIndexedLineSet()
         self._indices = None
-        parts = [*flat_color(rgb(color), transparency), line_style(width), self._lines]
-        if has_rim:
-            parts.insert(0, separator(*flat_color(_HALO, _HALO_TRANSPARENCY),
-                                      line_style(width + _HALO_WIDTH), self._lines))
-        self.node = separator(*parts)
+        self.node = _stroke((self._lines,), color, line_style(width), transparency, has_rim)
         self.show(numpy.empty(0, int))
 
     def show(self, indices):

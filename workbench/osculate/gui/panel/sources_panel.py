@@ -1,7 +1,5 @@
 """The base of the task panels of what is drawn along edges."""
 
-from osculate.features.constructed import refuse_loop
-from osculate.features.edge_link import LinkError
 from osculate.gui.observers import SelectionObserver
 from osculate.gui.panel.takes_selection import TakesSelection
 from osculate.gui.qt import translate
@@ -38,11 +36,7 @@ class SourcesPanel(TakesSelection, SessionPanel):
         """
         links = selected_sources()
         for link in links:
-            if link.document != self.session.document_name:
-                raise LinkError(translate("Osculate", "The edges must be in one document, {}.")
-                                .format(self.session.document.Label))
-            if self.session.obj is not None:
-                refuse_loop(self.session.obj, link)
+            self.session.require_linkable(link)
         return [(link.resolve_object(), link.sub) for link in links]
 
     def _edited(self, settings, is_settled):
@@ -50,14 +44,5 @@ class SourcesPanel(TakesSelection, SessionPanel):
         if is_settled:
             self.session.settle()
 
-    def show(self):
-        has_object = self.session.obj is not None
-        self.form.advice.say("" if has_object else self.what_to_select())
-        self.form.show_parts(has_object)
-        super().show()
-
     def show_object(self, obj):
         self.form.show_object(obj)
-
-    def accept(self):
-        return self.reject() if self.session.obj is None else super().accept()

@@ -7,8 +7,8 @@ from osculate.features.edge_overlay import links_of
 
 
 class TakesSelection:
-    """Mixin of a SessionPanel with a form that has `advice`: the buttons *Take selection* and *Add
-    selection*.
+    """Mixin of a SessionPanel with a form that has `advice` and `show_parts`: the buttons *Take
+    selection* and *Add selection*.
     """
 
     def what_to_select(self):
@@ -48,3 +48,12 @@ class TakesSelection:
 
     def _sources(self):
         return [(link.resolve_object(), link.sub) for link in links_of(self.session.obj)]
+
+    def show(self):
+        has_object = self.session.obj is not None
+        self.form.advice.say("" if has_object else self.what_to_select())
+        self.form.show_parts(has_object)
+        super().show()
+
+    def accept(self):
+        return self.reject() if self.session.obj is None else super().accept()
