@@ -230,6 +230,13 @@ void addMerge(CLI::App& parser, CommandLine& line) {
   app->add_flag("--latest", choice.latest, "Of a file in several reports the last one counts");
 }
 
+/// Newer versions of CLI11 (2.5, here of Debian sid) would join the lines of the examples.
+template <class Formatter>
+void keepLines(Formatter& formatter) {
+  if constexpr (requires { formatter.enable_footer_formatting(false); })
+    formatter.enable_footer_formatting(false);
+}
+
 }  // namespace
 
 std::unique_ptr<CLI::App> makeParser(CommandLine& line) {
@@ -238,6 +245,7 @@ std::unique_ptr<CLI::App> makeParser(CommandLine& line) {
   parser->require_subcommand(1);
   parser->footer(kExamples);
   parser->get_formatter()->column_width(28);
+  keepLines(*parser->get_formatter());
   addAnalyze(*parser, line);
   addAudit(*parser, line);
   addBlend(*parser, line);

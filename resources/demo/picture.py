@@ -119,6 +119,7 @@ def main():
     FreeCADGui.activateWorkbench("OsculateWorkbench")
     document = FreeCAD.openDocument(str(OUTPUT / "joins.FCStd"))
     view = FreeCADGui.getDocument(document.Name).activeView()
+    view.setAnimationEnabled(False)  # it would turn the view back from where it was fitted
     pump(SECONDS_TO_PAINT)
     dress(document)
     draw_models(document, view)

@@ -245,7 +245,7 @@ class HelpTest(unittest.TestCase):
             result = run(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn("Examples:\n  osculate ", result.stdout)
-            self.assertRegex(result.stdout, r"Usage: osculate")
+            self.assertRegex(result.stdout, r"(?m)^(Usage: )?osculate (\w+ )?\[OPTIONS\]")
 
     def test_examples_are_understood(self):
         """Every example of the help parses; none has an option that does not exist."""
@@ -272,7 +272,7 @@ class HelpTest(unittest.TestCase):
             page = file.read().replace("\\-", "-")
         for command in self.COMMANDS:
             self.assertIn(f'.SH "OSCULATE {command.upper()}"', page)
-            options = re.findall(r"^  (?:-\w,)?(--[a-z-]+)", run(command, "--help").stdout, re.M)
+            options = re.findall(r"^  (?:-\w,)? *(--[a-z-]+)", run(command, "--help").stdout, re.M)
             self.assertGreater(len(options), 3)
             for option in options:
                 self.assertIn(option, page)
