@@ -237,6 +237,23 @@ void keepLines(Formatter& formatter) {
     formatter.enable_footer_formatting(false);
 }
 
+/// The help in the form that CLI11 2.1 gives it.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() {
+    column_width(28);
+    keepLines(*this);
+  }
+
+  /// Newer versions leave out the word where a program has a name.
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    std::string usage = CLI::Formatter::make_usage(app, std::move(name));
+    const std::string word = get_label("Usage") + ": ";
+    if (usage.find(word) == std::string::npos) usage.insert(usage.find_first_not_of('\n'), word);
+    return usage;
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<CLI::App> makeParser(CommandLine& line) {
@@ -244,8 +261,7 @@ std::unique_ptr<CLI::App> makeParser(CommandLine& line) {
   parser->set_version_flag("--version", "osculate " OSCULATE_VERSION);
   parser->require_subcommand(1);
   parser->footer(kExamples);
-  parser->get_formatter()->column_width(28);
-  keepLines(*parser->get_formatter());
+  parser->formatter(std::make_shared<HelpFormatter>());
   addAnalyze(*parser, line);
   addAudit(*parser, line);
   addBlend(*parser, line);

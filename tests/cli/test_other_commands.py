@@ -245,7 +245,7 @@ class HelpTest(unittest.TestCase):
             result = run(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn("Examples:\n  osculate ", result.stdout)
-            self.assertRegex(result.stdout, r"(?m)^(Usage: )?osculate (\w+ )?\[OPTIONS\]")
+            self.assertRegex(result.stdout, r"Usage: osculate")
 
     def test_examples_are_understood(self):
         """Every example of the help parses; none has an option that does not exist."""

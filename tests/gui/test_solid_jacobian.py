@@ -41,12 +41,11 @@ class JacobianTest(DrawnCase):
         self.obj.ViewObject.ColorByJacobian = True
         (points,), (places,) = (nodes_of(self.obj, kind)
                                 for kind in ("Coordinate3", "TextureCoordinate2"))
+        points, places = (field.getValues() for field in (points.point, places.point))
         largest = max(value.jacobian(numpy.eye(4)))  # of this one
-        # one by one: some versions of pivy deliver lists of SbVec2f that cannot be read
-        for i in range(0, points.point.getNum(), 300):
-            place = places.point[i]
-            (u, *_) = value.locate(points.point[i].getValue(), 1e-3)
-            self.assertAlmostEqual(2.0 * place.getValue()[0] - 1.0,
+        for point, place in list(zip(points, places))[::300]:
+            (u, *_) = value.locate(point.getValue(), 1e-3)
+            self.assertAlmostEqual(2.0 * place[0] - 1.0,
                                    value.jacobian([u])[0] / largest, delta=0.03)
 
     def test_legends_stand_side_by_side_and_close_up(self):
